@@ -108,8 +108,9 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
   text(*steps, "--items", a.items, "N", kParts,
        "the most items that a step adds; equal parts are one item\n(default 6)");
   // What is about one drawing.
-  const std::vector<std::string> others = {"views",          "projection", "detail", "parts_list",
-                                           "explode_factor", "scale",      "center", "verify"};
+  const std::vector<std::string> others = {"views",      "projection", "detail",
+                                           "parts_list", "legend",     "explode_factor",
+                                           "scale",      "center",     "verify"};
   for (const RequestOption& option : all_options()) {
     if (std::ranges::find(others, option.option.name) == others.end()) {
       add_request(*steps, option, draw.request.options);
@@ -143,8 +144,8 @@ CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
   text(*diff, "--line-tolerance", a.line_tolerance, "MM", kFiles,
        "for two drawings: lines up to this many paper mm apart are\nthe same (default 0.1)");
   // What is about one model.
-  const std::vector<std::string> others = {"explode", "explode_factor", "callouts", "parts_list",
-                                           "verify"};
+  const std::vector<std::string> others = {"explode",    "explode_factor", "callouts",
+                                           "parts_list", "legend",         "verify"};
   for (const RequestOption& option : all_options()) {
     if (std::ranges::find(others, option.option.name) == others.end()) {
       add_request(*diff, option, draw.request.options);

@@ -96,7 +96,7 @@ PyDifference diff(const py::object& before, const py::object& after, double line
   }
   if (first) return diff_of_drawings(before, after, line_tolerance, keywords);
   for (const char* name :
-       {"session", "explode", "explode_factor", "callouts", "parts_list", "verify"}) {
+       {"session", "explode", "explode_factor", "callouts", "parts_list", "legend", "verify"}) {
     if (keywords.contains(name) && !keywords[name].is_none()) {
       throw UsageError(std::string("argument ") + name + " is not for two revisions");
     }
@@ -181,7 +181,7 @@ void add_diff(py::module_& module) {
       "Compares two revisions of a model, part by part, and draws both: files, scenes or "
       "illustrations as `draw` takes them; or two drawings, line by line within "
       "`line_tolerance` mm of paper. Keywords are those of `draw`, but for session, explode, "
-      "callouts, parts_list and verify. Throws Error.");
+      "callouts, parts_list, legend and verify. Throws Error.");
 }
 
 }  // namespace burin::python

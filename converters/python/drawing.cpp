@@ -412,7 +412,7 @@ void add_drawing(py::module_& module) {
                              "A dict a part: id, name, source, triangles, faces, assembly, color.")
       .def_property_readonly(
           "items", [](const PyDrawing& self) { return to_list(self.drawing.items); },
-          "A dict an item, by number, where callouts or a parts list were asked "
+          "A dict an item, by number, where callouts, a parts list or a legend were asked "
           "for: number, name, quantity, color, source, parts (their ids).")
       .def_property_readonly(
           "view", [](const PyDrawing& self) { return PyView{self.drawing.view}; },
@@ -438,7 +438,7 @@ void add_drawing(py::module_& module) {
           "areas", [](const PyDrawing& self) { return area_dicts(self.drawing); },
           "A dict an area under the lines, in the order of painting: part (-1: the shadow on the "
           "ground), face, tone (from 0, the darkest; -1: any), fill (\"#rrggbb\" or \"\"), "
-          "opacity, "
+          "opacity, ink (spot ink, or \"\"), tint (its share), role (\"legend\": a square of it), "
           "rings (arrays (N, 2) in mm: inside an odd number of them).")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },

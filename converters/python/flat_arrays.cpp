@@ -122,6 +122,9 @@ py::list area_dicts(const Drawing& drawing) {
     d["tone"] = area.tone;
     d["fill"] = area.fill;
     d["opacity"] = area.opacity;
+    d["ink"] = area.ink;
+    d["tint"] = area.tint;
+    d["role"] = area.role;
     d["rings"] = rings;
     areas.append(d);
   }

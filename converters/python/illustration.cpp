@@ -155,6 +155,7 @@ py::dict illustration(const py::object& source) {
   out["items"] = items;
   out["callouts"] = plan.callouts;
   out["parts_list"] = plan.parts_list;
+  out["legend"] = plan.legend;
   out["hidden"] = plan.illustrate.hidden == HiddenLines::Dashed ? "dashed" : "none";
   out["tolerance"] = plan.illustrate.tolerance;
   out["seed"] = plan.illustrate.seed;
@@ -223,7 +224,8 @@ void add_illustration(py::module_& module) {
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
       "\"looks\"; \"sections\", \"explode\" and \"details\" unchanged; \"views\", names, and "
       "\"projection\"; \"items\", number to name; "
-      "\"callouts\" and \"parts_list\" (on the sheet), True or False; \"hidden\", \"tolerance\" in "
+      "\"callouts\", \"parts_list\" and \"legend\" (on the sheet), True or False; \"hidden\", "
+      "\"tolerance\" in "
       "mm, \"seed\". A key that is not "
       "given has the default of `draw`, or None. Throws UsageError, InputError.");
   module.def(

@@ -96,7 +96,7 @@ void set_looks(Draft& draft, const Asked& asked) {
 constexpr const char* kInBackground =
     R"({"line.color": "#8c8c8c", "line.outer": 0.25, "line.contour": 0.15, "line.crease": 0.12,
         "line.boundary": 0.15, "line.smooth": 0.09, "line.intersection": 0.12,
-        "fill.color": "#f4f4f4", "tone.steps": "none"})";
+        "fill.color": "#f4f4f4", "fill.legend": false, "tone.steps": "none"})";
 constexpr const char* kHighlight = "orange";
 
 /// NAME or NAME=COLOUR; a selector may have an equals sign itself: @color=#ff0000.
@@ -321,6 +321,14 @@ std::vector<RequestRow<Draft>> item_rows() {
         .also = {"bom", "bill of materials", "parts table", "list", "partlist", "stueckliste",
                  "components list", "csv"}},
        set_parts_list},
+      {{.option = {.name = "legend",
+                   .meaning = "list the colours of parts with their names on the sheet; where: "
+                              "style key callout.legend",
+                   .takes = Switch{}},
+        .group = kParts,
+        .negated = "draw none, even if the illustration file asks for it",
+        .also = {"key", "color key", "colour key", "color legend", "color list", "swatches"}},
+       [](Draft& d, const Asked& a) { d.plan.legend = std::get<bool>(a.value); }},
   };
 }
 

@@ -125,7 +125,7 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect: tone.law {} does not look at it",
                      called("light", plan.spelling), plan.style.tone.law));
   }
-  const bool lists = plan.callouts || plan.parts_list;
+  const bool lists = plan.callouts || plan.parts_list || plan.legend;
   for (const std::string& key : plan.style_keys) {
     if (key.starts_with("callout.") && !lists) {
       note(fmt::format("style key {} has no effect without {}", key,

@@ -360,7 +360,7 @@ class Planner {
     if (areas_ > 0) {
       report(Severity::Warning, "pen.fills", areas_,
              fmt::format("a pen draws lines alone: the colours of {} areas are left out; strokes "
-                         "(hatch.enabled) shade instead",
+                         "(hatch.enabled) or lines (fill.hatch) shade instead",
                          areas_));
     }
     if (cut_ > 0) {

@@ -193,6 +193,9 @@ Area read_area(const JsonPlace& place) {
   value("tone", area.tone);
   value("fill", area.fill);
   value("opacity", area.opacity);
+  value("ink", area.ink);
+  value("tint", area.tint);
+  value("role", area.role);
   place.optional("rings", [&](const JsonPlace& rings) {
     rings.each(
         [&](const JsonPlace& ring, std::size_t) { read_points(ring, area.rings.emplace_back()); });
@@ -368,6 +371,13 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
   root.optional("areas", [&](const JsonPlace& areas) {
     areas.each(
         [&](const JsonPlace& area, std::size_t) { drawing.areas.push_back(read_area(area)); });
+  });
+  root.optional("inks", [&](const JsonPlace& inks) {
+    inks.each([&](const JsonPlace& one, std::size_t) {
+      SpotInk& ink = drawing.inks.emplace_back();
+      one.required("name", [&](const JsonPlace& name) { name.set(ink.name); });
+      one.required("color", [&](const JsonPlace& color) { color.set(ink.color); });
+    });
   });
   root.optional("diagnostics", [&](const JsonPlace& list) {
     list.each(

@@ -4,8 +4,8 @@
 #include <burin/drawing/length.h>
 
 #include "frame_path.h"
-#include "list_on_sheet.h"
 #include "stroke_directions.h"
+#include "tables.h"
 
 #include <fmt/format.h>
 
@@ -263,51 +263,12 @@ void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, co
   drawing.layers.push_back(std::move(layer));
 }
 
-void add_list(Drawing& drawing, const std::optional<detail::ListPlan>& plan,
-              const Annotations& annotations, const CalloutOptions& style) {
-  if (!plan) {
-    drawing.diagnostics.add(
-        Severity::Warning, "parts_list.no_room", 1,
-        fmt::format("a parts list of {} rows does not fit beside the drawing on a sheet of {:g} x "
-                    "{:g} mm: give a larger `paper`, a smaller callout.list_height, or write it as "
-                    "a file",
-                    annotations.items.size(), drawing.paper_width, drawing.paper_height));
-    return;
-  }
-  std::size_t missing = 0;
-  const DrawingItem* first = nullptr;
-  for (const DrawingItem& item : annotations.items) {
-    const std::size_t of_name = missing_glyphs(item.name);
-    if (of_name > 0 && !first) first = &item;
-    missing += of_name;
-  }
-  if (missing > 0) {
-    drawing.diagnostics.add(
-        Severity::Warning, "text.no_glyph", static_cast<std::int64_t>(missing),
-        fmt::format("characters that the drawing font lacks are boxes, except in SVG, HTML "
-                    "and DXF; the first in '{}'",
-                    first->name));
-  }
-  drawing.layers.push_back(detail::list_layer(annotations.items, style, *plan));
-}
-
-/// What the parts list leaves of the frame.
-Box2 rest_of(const Box2& frame, const std::optional<detail::ListPlan>& plan) {
-  return plan ? plan->rest : frame;
-}
-
-std::optional<detail::ListPlan> list_plan(const Annotations& annotations,
-                                          const CalloutOptions& style, const Box2& frame) {
-  if (!annotations.parts_list) return std::nullopt;
-  return detail::plan_list(annotations, style, frame);
-}
-
 }  // namespace
 
 Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
                          const Paper& paper) {
   const Box2 frame = inside(paper, annotations.margin);
-  const Box2 rest = rest_of(frame, list_plan(annotations, style, frame));
+  const Box2 rest = detail::plan_tables(annotations, style, frame).rest;
   Margin m(paper.height - rest.max.y, paper.width - rest.max.x, rest.min.y, rest.min.x);
   if (!annotations.callouts || annotations.items.empty()) return m;
   const CalloutSizes sizes(style, largest_number(annotations.items));
@@ -335,8 +296,8 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
 bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
                      const Paper& paper, const Margin& border) {
   const Box2 frame = inside(paper, annotations.margin);
-  const auto plan = list_plan(annotations, style, frame);
-  if (annotations.parts_list && !plan) return false;
+  const detail::Tables tables = detail::plan_tables(annotations, style, frame);
+  if (!tables.fit(annotations)) return false;
   const Margin needed = annotation_margin(annotations, style, paper);
   constexpr double kRounding = 1e-9;
   if (needed.left > border.left + kRounding || needed.right > border.right + kRounding ||
@@ -344,41 +305,23 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
     return false;
   }
   if (!annotations.callouts || annotations.items.empty()) return true;
-  return callouts_fit(annotations.items.size(), inside(paper, border), rest_of(frame, plan),
+  return callouts_fit(annotations.items.size(), inside(paper, border), tables.rest,
                       CalloutSizes(style, largest_number(annotations.items)), style.layout);
 }
 
 void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
-              const Annotations& annotations, const CalloutOptions& style,
-              const RunContext& context) {
+              const Annotations& wanted, const CalloutOptions& style, const RunContext& context) {
+  const Annotations annotations = detail::shown_in(drawing, wanted);
   drawing.items = annotations.items;
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);
-  const auto plan = list_plan(annotations, style, frame);
+  const detail::Tables tables = detail::plan_tables(annotations, style, frame);
   if (annotations.callouts) {
     std::vector<const LabelMap*> maps{&seen};
     for (const LabelMap& map : glass) maps.push_back(&map);
-    add_callouts(drawing, maps, rest_of(frame, plan), annotations, style, context);
+    add_callouts(drawing, maps, tables.rest, annotations, style, context);
   }
-  if (annotations.parts_list) add_list(drawing, plan, annotations, style);
-}
-
-Box2 beside_parts_list(const Annotations& annotations, const CalloutOptions& style,
-                       const Paper& paper) {
-  const Box2 frame = inside(paper, annotations.margin);
-  return rest_of(frame, list_plan(annotations, style, frame));
-}
-
-std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
-                                   const Paper& paper) {
-  const auto plan = list_plan(annotations, style, inside(paper, annotations.margin));
-  return plan ? std::optional(plan->box) : std::nullopt;
-}
-
-void lay_parts_list(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
-  const Paper paper{drawing.paper_width, drawing.paper_height};
-  add_list(drawing, list_plan(annotations, style, inside(paper, annotations.margin)), annotations,
-           style);
+  detail::lay_tables(tables, annotations, style, drawing);
 }
 
 }  // namespace burin

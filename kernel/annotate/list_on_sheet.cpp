@@ -17,11 +17,7 @@ constexpr const char* kNumber = "No.";
 constexpr const char* kQuantity = "Qty";
 constexpr const char* kName = "Name";
 constexpr double kWidestName = 24;  // heights of letters
-constexpr double kApart = 5;        // paper mm between the list and the drawing
-constexpr std::size_t kMostBlocks = 12;
 constexpr double kRounding = 1e-6;  // paper mm
-constexpr double kTallest = 0.6;    // share of the frame that one block takes before there are two
-constexpr double kLeast = 0.3;      // share of the frame that the drawing keeps
 
 }  // namespace
 
@@ -42,32 +38,11 @@ ListPlan columns_of(std::span<const DrawingItem> items, const CalloutOptions& st
 std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
                                   const Box2& frame) {
   ListPlan plan = columns_of(annotations.items, style);
-  const std::size_t n = std::max<std::size_t>(annotations.items.size(), 1);
-  const Vec2 size = frame.size();
-  std::optional<ListPlan> best;
-  double most = 0, most_height = 0;
-  for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
-    plan.blocks = blocks;
-    plan.rows = (n + blocks - 1) / blocks;
-    const Vec2 list(static_cast<double>(blocks) * plan.block(),
-                    static_cast<double>(plan.rows + 1) * plan.row);
-    if (list.x > size.x || list.y > size.y) continue;
-    // More blocks only where fewer are too tall: a table is read downwards.
-    if (best && most_height <= kTallest * size.y) break;
-    plan.box = {{frame.max.x - list.x, frame.min.y}, {frame.max.x, frame.min.y + list.y}};
-    for (const bool beside : {true, false}) {
-      plan.rest = frame;
-      (beside ? plan.rest.max.x : plan.rest.min.y) =
-          beside ? plan.box.min.x - kApart : plan.box.max.y + kApart;
-      const Vec2 rest = plan.rest.size();
-      if (rest.x < kLeast * size.x || rest.y < kLeast * size.y) continue;
-      if (rest.x * rest.y <= most) continue;
-      most = rest.x * rest.y;
-      most_height = list.y;
-      best = plan;
-    }
-  }
-  return best;
+  const auto blocks = place_blocks({plan.row, plan.block(), annotations.items.size(), 1},
+                                   Corner::BottomRight, frame);
+  if (!blocks) return std::nullopt;
+  static_cast<BlockPlan&>(plan) = *blocks;
+  return plan;
 }
 
 Layer list_layer(std::span<const DrawingItem> items, const CalloutOptions& style,

@@ -4,20 +4,17 @@
 #include <burin/annotate/annotate.h>
 #include <burin/base/box.h>
 
-#include <cstddef>
+#include "blocks.h"
+
 #include <optional>
 #include <span>
 
 namespace burin::detail {
 
-/// Where the list stands and how it is parted: blocks of rows beside each other, from the right.
-struct ListPlan {
-  Box2 box;
-  std::size_t blocks = 1, rows = 1;
+/// Blocks of rows, from the right.
+struct ListPlan : BlockPlan {
   /// Paper mm of a row, and of the columns of number, quantity and name.
   double row = 0, number = 0, quantity = 0, name = 0;
-  /// What is left of the frame for the drawing: left of the list, or above it.
-  Box2 rest;
   /// From the top of the box down, as on a sheet of its own.
   bool downwards = false;
 

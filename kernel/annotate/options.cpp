@@ -16,7 +16,10 @@ std::vector<OptionRow<CalloutOptions>> callout_option_rows() {
       number("line", &CalloutOptions::line, {0.01, 10, "mm"},
              "width of the leaders and circles of callouts, in mm"),
       number("list_height", &CalloutOptions::list_height, {1, 20, "mm"},
-             "height of the letters of a parts list on the sheet, in mm"),
+             "height of the letters of a parts list and a legend on the sheet, in mm"),
+      options::word("legend", &CalloutOptions::legend,
+                    {"bottom-right", "bottom-left", "top-right", "top-left"},
+                    "corner of the sheet for the legend of colours"),
   };
 }
 

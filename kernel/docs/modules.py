@@ -24,7 +24,7 @@ LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Ei
 OUTSIDE = ("samples", "cad_samples", "bench", "areas", "judge", "sections", "fuzz", "probe", "mesh_to_svg")  # no modules: they are built from them
 MOST = 25  # sources in a folder
 # Still to be parted; these numbers may only become smaller.
-LARGE = {"kernel/drawing": 34, "kernel/forms/brep": 28, "converters/openscad/csg": 30}
+LARGE = {"kernel/drawing": 31, "kernel/forms/brep": 28, "converters/openscad/csg": 30}
 BOX, ROW, GAP, LETTER = 34, 74, 16, 6.6
 
 

@@ -74,12 +74,15 @@ void append_view(Buffer& out, const DrawingView& view) {
   append(out, "}");
 }
 
-/// That of a part, a layer or a line which has one for itself.
-void append_color(Buffer& out, const std::string& color) {
-  if (color.empty()) return;
-  append(out, ", \"color\": ");
-  append_json(out, color);
+/// Where it is not empty.
+void append_text_of(Buffer& out, std::string_view key, const std::string& text) {
+  if (text.empty()) return;
+  fmt::format_to(fmt::appender(out), ", \"{}\": ", key);
+  append_json(out, text);
 }
+
+/// That of a part, a layer or a line which has one for itself.
+void append_color(Buffer& out, const std::string& color) { append_text_of(out, "color", color); }
 
 void append_part(Buffer& out, const DrawingPart& part) {
   fmt::format_to(fmt::appender(out), "{{\"id\": {}, \"name\": ", part.id);
@@ -143,6 +146,12 @@ void append_area(Buffer& out, const Area& area) {
     fmt::format_to(fmt::appender(out), ", \"fill\": \"{}\", \"opacity\": ", area.fill);
     append_exact(out, area.opacity);
   }
+  if (!area.ink.empty()) {
+    append_text_of(out, "ink", area.ink);
+    append(out, ", \"tint\": ");
+    append_exact(out, area.tint);
+  }
+  append_text_of(out, "role", area.role);
   append(out, ", \"rings\": [");
   for (std::size_t r = 0; r < area.rings.size(); ++r) {
     append(out, r == 0 ? "[" : ", [");
@@ -153,6 +162,13 @@ void append_area(Buffer& out, const Area& area) {
     out.push_back(']');
   }
   append(out, "]}");
+}
+
+void append_spot_ink(Buffer& out, const SpotInk& ink) {
+  append(out, "{\"name\": ");
+  append_json(out, ink.name);
+  append_color(out, ink.color);
+  out.push_back('}');
 }
 
 void append_text(Buffer& out, const Text& text) {
@@ -195,10 +211,7 @@ void append_head(Buffer& out, const Drawing& d) {
       "\"seed\": {}, \"style\": ",
       version(), d.seed);
   append_json(out, d.style);
-  if (!d.title.empty()) {
-    append(out, ", \"title\": ");
-    append_json(out, d.title);
-  }
+  append_text_of(out, "title", d.title);
   append(out, ",\n  \"paper\": {\"width\": ");
   append_exact(out, d.paper_width);
   append(out, ", \"height\": ");
@@ -219,6 +232,7 @@ void append_head(Buffer& out, const Drawing& d) {
   append_list(out, "parts", d.parts, append_part);
   if (!d.items.empty()) append_list(out, "items", d.items, append_item);
   if (!d.areas.empty()) append_list(out, "areas", d.areas, append_area);
+  if (!d.inks.empty()) append_list(out, "inks", d.inks, append_spot_ink);
   append(out, "  \"layers\": [");
 }
 

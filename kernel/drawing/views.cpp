@@ -51,6 +51,9 @@ void add(DrawingStats& to, const DrawingStats& from) {
 void append_view(Drawing& sheet, Drawing&& view) {
   merge_layers(sheet.layers, view.layers);
   move_all(view.areas, sheet.areas);
+  for (const SpotInk& ink : view.inks) {
+    if (std::ranges::find(sheet.inks, ink) == sheet.inks.end()) sheet.inks.push_back(ink);
+  }
   add(sheet.stats, view.stats);
   append_new(view.diagnostics, sheet.diagnostics);
 }

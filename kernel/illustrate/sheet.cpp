@@ -1,6 +1,8 @@
 #include <burin/drawing/views.h>
 #include <burin/illustrate/sheet.h>
 
+#include "fill/hatch_areas.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -18,6 +20,7 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   }
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
+  options.annotations->legend.clear();
   options.annotations->margin = margin_about(view.box, view.camera.paper());
   return options;
 }
@@ -87,8 +90,9 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
   if (sheet.method) {
     all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
   }
-  if (options.annotations && options.annotations->parts_list) {
-    lay_parts_list(*all, *options.annotations, style.callout);
+  if (options.annotations) {
+    lay_tables(*all, *options.annotations, style.callout);
+    detail::hatch_areas(scene, {scene, style, options}, "legend", *all, context);
   }
   return *std::move(all);
 }

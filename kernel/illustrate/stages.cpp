@@ -9,7 +9,8 @@
 
 #include "compose.h"
 #include "exact_places.h"
-#include "fills.h"
+#include "fill/fills.h"
+#include "fill/hatch_areas.h"
 #include "on_sheet.h"
 #include "shadow/ground_shadow.h"
 #include "shadow/light_view.h"
@@ -64,11 +65,12 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
   RegionOptions options{.found = feature_options(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const FillOptions& fill = part_styles.style(i).fill;
-    const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
+    const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
+    const bool toned = part_styles.drawn(i) && shown && fill.steps > 1;
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
     if (shadows && levels.empty()) levels = {kGrazing};
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
-    options.nested.push_back(fill.opacity >= 1);
+    options.nested.push_back(nests(fill));
   }
   return options;
 }
@@ -227,7 +229,8 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (style.shadow.ground || style.shadow.cast) {
     light = light_view(*trees, tone::to_light(camera, style.tone), context);
   }
-  if (options.face_areas || paints(part_styles) || style.shadow.cast || style.shadow.ground) {
+  if (options.face_areas || paints(part_styles) || hatches(part_styles) || style.shadow.cast ||
+      style.shadow.ground) {
     wanted.regions = region_options(part_styles, camera, style.shadow.cast);
     wanted.regions->faces = options.face_areas;
     if (style.shadow.cast && light) wanted.regions->shadows = &*light;
@@ -274,13 +277,15 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);
-  if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
+  if (paints(part_styles)) paint_areas(scene, part_styles, drawing);
   if (style.shadow.cast) shade_areas(style, drawing.areas);
+  hatch_areas(scene, part_styles, "", drawing, context);
   if (labels.shadow) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+    hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;
 }

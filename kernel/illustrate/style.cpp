@@ -311,6 +311,16 @@ Style manual() {
   return s;
 }
 
+/// Black lines over tints of one ink, for printing with two plates.
+Style duotone() {
+  Style s = flat();
+  s.fill.color = "#0078bf";
+  s.fill.ink = "Spot";
+  s.fill.tint = 0.15;
+  s.fill.steps = 3;
+  return s;
+}
+
 struct Kind {
   std::string_view name, meaning;
   void (*make)(StrokeKind&);
@@ -372,6 +382,8 @@ constexpr std::array kBuiltin{
     Builtin{"shaded", "parts in their colours, two tones of each, under the lines", shaded},
     Builtin{"cel", "parts in their colours, three tones of each, and a bold outline", cel},
     Builtin{"manual", "white parts with pale grey shade, for printed instructions", manual},
+    Builtin{"duotone", "black lines over three tints of one spot ink, for two printing plates",
+            duotone},
 };
 
 // What other programs and people call such drawings.
@@ -398,6 +410,7 @@ std::vector<std::string> other_names(std::string_view style) {
       {"shaded", {"shade", "shading", "rendered", "tones"}},
       {"cel", {"toon", "cartoon", "comic", "cel shading"}},
       {"manual", {"instructions", "instruction manual", "ikea", "lego"}},
+      {"duotone", {"two color", "two colour", "spot color", "spot colour", "risograph", "riso"}},
       {"wireframe", {"wire", "hidden", "xray", "x-ray", "skeleton"}},
   };
   const auto row = std::ranges::find(rows, style, &Row::style);
@@ -553,6 +566,15 @@ void check_style(const Style& style) {
   if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
     throw UsageError(fmt::format(
         "style key 'fill.color' takes a colour #rrggbb, part or none, not '{}'", style.fill.color));
+  }
+  if (style.fill.ink == "All" || style.fill.ink == "None") {
+    throw UsageError(
+        fmt::format("style key 'fill.ink' takes the name of an ink, not '{}', which "
+                    "has a meaning of its own in PDF",
+                    style.fill.ink));
+  }
+  if (style.fill.hatch.color != "fill") {
+    check_color("fill.hatch_color", style.fill.hatch.color, true);
   }
   check_texts(style.hpgl, "hpgl.");
   check_texts(style.gcode, "gcode.");

@@ -73,14 +73,46 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
   return rows;
 }
 
-std::vector<OptionRow<FillOptions>> fill_rows() {
+/// Names go on after "fill.hatch".
+std::vector<OptionRow<FillHatch>> fill_hatch_rows() {
   return {
+      options::word("", &FillHatch::lines, {"none", "lines", "cross"},
+                    "parallel lines over a region, or, with fill.color none, in its stead; cross: "
+                    "more directions where it is darker"),
+      number("_angle", &FillHatch::angle, {-180, 180, "degrees"},
+             "degrees from these lines to the horizontal of the sheet"),
+      number("_distance", &FillHatch::distance, {0.05, 20, "mm"},
+             "distance of these lines, in mm; the width of a plotter's pen fills a region"),
+      number("_width", &FillHatch::width, {0.01, 10, "mm"}, "width of these lines, in mm"),
+      {{"_tones", "how many tones of tone.steps have these lines, from the darkest",
+        WholeRange{1, 5}},
+       [](const FillHatch& s) { return OptionValue(static_cast<std::uint64_t>(s.tones)); },
+       [](FillHatch& s, const OptionValue& v) {
+         s.tones = static_cast<int>(std::get<std::uint64_t>(v));
+       }},
+      color("_color", &FillHatch::color,
+            "colour of these lines: fill = that of the part; empty = line.color",
+            "a colour #rrggbb, fill or nothing"),
+  };
+}
+
+std::vector<OptionRow<FillOptions>> fill_rows() {
+  std::vector<OptionRow<FillOptions>> rows = {
       color("color", &FillOptions::color,
             "flat colour under the lines: part = that of the part, or of a palette where it "
             "has none",
             "a colour #rrggbb, part or none"),
       number("opacity", &FillOptions::opacity, {0, 1}, "opacity of that colour"),
+      options::text("ink", &FillOptions::ink,
+                    "spot ink of that colour in print: a plate of its own in PDF; tones are tints "
+                    "of it; empty = none",
+                    "a name or nothing"),
+      number("tint", &FillOptions::tint, {0, 1},
+             "share of the spot ink in the lightest tone; the darkest has all of it"),
+      flag("legend", &FillOptions::legend, "list the colour in the legend"),
   };
+  append(rows, "hatch", &FillOptions::hatch, fill_hatch_rows());
+  return rows;
 }
 
 /// Tones of the flat colour. They stand with those of strokes, of which they know nothing.
@@ -250,6 +282,8 @@ const std::vector<OtherNames>& all_other_names() {
       {"fill.color",
        {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
       {"fill.opacity", {"transparency", "alpha"}},
+      {"fill.ink", {"spot color", "spot colour", "separation", "pantone", "spot ink", "plate"}},
+      {"fill.hatch", {"fill pattern", "hatch fill", "hatched fill", "pattern"}},
       {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
       {"shadow.cast", {"cast shadows", "self shadow", "part shadow"}},
       {"shadow.ground", {"drop shadow", "floor shadow", "contact shadow"}},

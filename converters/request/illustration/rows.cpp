@@ -125,6 +125,7 @@ const std::vector<IllustrationKey>& illustration_keys() {
       {"tolerance", "tolerance"},
       {"seed", "seed"},
       {"callouts", "callouts"},
+      {"legend", "legend"},
       {"views", "views"},
       {"projection", "projection"},
   };

@@ -3,6 +3,7 @@
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
+#include "pdf_date.h"
 #include "shapes.h"
 #include "writers.h"
 
@@ -38,20 +39,6 @@ cairo_status_t write_bytes(void* sink, const unsigned char* bytes, unsigned int 
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// The date that a build or a test asks for; empty, which leaves dates out, without one.
-std::string asked_date() {
-  const char* text = std::getenv("SOURCE_DATE_EPOCH");
-  long long seconds = 0;
-  if (!text || std::from_chars(text, text + std::strlen(text), seconds).ec != std::errc())
-    return {};
-  const auto time = static_cast<std::time_t>(seconds);
-  std::tm date{};
-  if (!::gmtime_r(&time, &date)) return {};
-  std::array<char, 32> out{};
-  std::strftime(out.data(), out.size(), "%Y-%m-%dT%H:%M:%SZ", &date);
-  return out.data();
-}
-
 void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
   const auto set = [&](cairo_pdf_metadata_t what, const std::string& text) {
     cairo_pdf_surface_set_metadata(surface, what, text.c_str());
@@ -59,7 +46,7 @@ void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
   set(CAIRO_PDF_METADATA_TITLE, title_of(drawing));
   set(CAIRO_PDF_METADATA_SUBJECT, subject_of(drawing));
   set(CAIRO_PDF_METADATA_CREATOR, creator());
-  const std::string date = asked_date();
+  const std::string date = asked_date("%Y-%m-%dT%H:%M:%SZ");
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
                                  date.empty() ? nullptr : date.c_str());
 }
@@ -120,8 +107,23 @@ void paint_page(cairo_surface_t* surface, const Drawing& drawing, const WriteOpt
 
 }  // namespace
 
+std::string asked_date(const char* form) {
+  const char* text = std::getenv("SOURCE_DATE_EPOCH");
+  long long seconds = 0;
+  if (!text || std::from_chars(text, text + std::strlen(text), seconds).ec != std::errc())
+    return {};
+  const auto time = static_cast<std::time_t>(seconds);
+  std::tm date{};
+  if (!::gmtime_r(&time, &date)) return {};
+  std::array<char, 32> out{};
+  std::strftime(out.data(), out.size(), form, &date);
+  return out.data();
+}
+
 void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
                std::ostream& out, const RunContext& context) {
+  const auto inked = [](const Drawing* page) { return !page->inks.empty(); };
+  if (std::ranges::any_of(pages, inked)) return write_inked_pdf(pages, options, out, context);
   const auto points = [](double mm) { return mm * kPointsPerMm; };
   const Drawing& first = *pages.front();
   Sink sink{out, context};

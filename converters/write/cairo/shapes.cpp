@@ -8,13 +8,6 @@
 #include <string>
 
 namespace burin {
-namespace {
-
-/// A curve that is a line within this distance is written as one; far below what shows.
-constexpr double kStraight = 0.0005;  // paper mm
-
-}  // namespace
-
 std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing& drawing,
                              const DashOptions& options) {
   std::vector<Shape> shapes;

@@ -13,6 +13,9 @@
 
 namespace burin {
 
+/// Paper mm: a curve that is a line within this distance is written as one; far below what shows.
+inline constexpr double kStraight = 0.0005;
+
 struct SurfaceDeleter {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };

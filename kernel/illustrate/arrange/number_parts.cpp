@@ -1,5 +1,6 @@
 #include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
+#include <burin/illustrate/legend.h>
 
 #include <fmt/format.h>
 
@@ -44,7 +45,9 @@ std::string selector_of_whole(const std::string& of_body) {
 }  // namespace
 
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context) {
-  if (!illustration.callouts && !illustration.parts_list && !illustration.items) return;
+  if (!illustration.callouts && !illustration.parts_list && !illustration.legend &&
+      !illustration.items)
+    return;
   context.begin_stage(RunStage::Build);
   const std::vector<Item> items =
       find_items(scene, illustration.numbers, scene.diagnostics, context,
@@ -72,6 +75,15 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
       drawn.selectors.push_back(selectors[part]);
     }
     if (!drawn.parts.empty()) annotations.items.push_back(std::move(drawn));
+  }
+  if (illustration.legend) {
+    annotations.legend =
+        legend_rows(scene, illustration.style, illustration.illustrate, annotations.items);
+    if (annotations.legend.empty()) {
+      scene.diagnostics.add(Severity::Warning, "legend.empty", 1,
+                            "there is no colour for a legend: choose fill.color, or a style that "
+                            "has colours, such as flat");
+    }
   }
   illustration.illustrate.annotations = std::move(annotations);
 }

@@ -83,6 +83,7 @@ Vec2 callout_capacity_of(const Illustration& illustration, Vec2 size) {
     return Vec2(0);
   Annotations callouts = *illustration.illustrate.annotations;
   callouts.parts_list = false;
+  callouts.legend.clear();
   callouts.margin = Margin(0);
   const Margin m = annotation_margin(callouts, illustration.style.callout, {size.x, size.y});
   return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
@@ -104,7 +105,7 @@ class SheetPlanner {
     }
     if (illustration.illustrate.annotations) {
       const Annotations& over = *illustration.illustrate.annotations;
-      frame_ = beside_parts_list(over, illustration.style.callout, illustration.view.paper);
+      frame_ = beside_tables(over, illustration.style.callout, illustration.view.paper);
       list_ = parts_list_box(over, illustration.style.callout, illustration.view.paper);
     }
   }

@@ -103,6 +103,76 @@ TEST(FilledAreas, OfDxfAreSolidHatchesOnALayerOfTheirOwn) {
   EXPECT_NE(dxf.find("\nSOLID\n"), std::string::npos);
 }
 
+TEST(FilledAreas, OfSvgTakeTheColoursThatAPageGivesThem) {
+  const std::string svg = written(filled(0.25), "svg");
+  const std::size_t rules = svg.find("<style>@supports (fill:var(--ink)){\n");
+  ASSERT_NE(rules, std::string::npos) << svg;
+  EXPECT_LT(rules, svg.find("<g id=\"areas\""));
+  EXPECT_NE(
+      svg.find(":where(#areas .part_0){fill:var(--part-0,#ff0000);stroke:var(--part-0,#ff0000)}"),
+      std::string::npos);
+  EXPECT_NE(svg.find(":where(#areas .part_1.tone_0){fill:var(--part-1-tone-0,"
+                     "var(--part-1,#0000ff))}"),
+            std::string::npos)
+      << "what is looked through has no seam";
+  EXPECT_EQ(svg.find("--part-2"), std::string::npos);
+  WriteOptions options;
+  options.svg.id_prefix = "fig1-";
+  EXPECT_NE(written(filled(), "svg", options).find(":where(#fig1-areas .part_0)"),
+            std::string::npos);
+  EXPECT_EQ(written(parsed(least()), "svg").find("<style>"), std::string::npos);
+}
+
+TEST(FilledAreas, OfSvgHaveTheRulesOfTonesAfterThoseOfParts) {
+  Drawing drawing = filled();
+  drawing.areas[0].tone = 1;
+  drawing.areas[1] = {
+      .part = 0, .fill = "#00ff00", .role = "legend", .rings = {{{0, 0}, {1, 0}, {1, 1}}}};
+  const std::string svg = written(drawing, "svg");
+  const std::size_t of_part = svg.find(":where(#areas .part_0){fill:var(--part-0,#00ff00)"),
+                    of_tone = svg.find(":where(#areas .part_0.tone_1){fill:var(--part-0-tone-1,");
+  ASSERT_NE(of_part, std::string::npos);
+  ASSERT_NE(of_tone, std::string::npos);
+  EXPECT_LT(of_part, of_tone) << "the later of two rules holds";
+}
+
+/// The same with the first area in half of a spot ink.
+Drawing inked() {
+  Drawing drawing = filled();
+  drawing.areas[0].ink = "Burin Red";
+  drawing.areas[0].tint = 0.5;
+  drawing.inks = {{"Burin Red", "#ff0000"}};
+  return drawing;
+}
+
+TEST(FilledAreas, OfSpotInksComeBackFromDrawingFiles) {
+  const std::string json = written(inked(), "json");
+  const Drawing back = parsed(json);
+  EXPECT_EQ(back.inks, inked().inks);
+  EXPECT_EQ(back.areas.at(0).ink, "Burin Red");
+  EXPECT_EQ(back.areas.at(0).tint, 0.5);
+  EXPECT_EQ(written(back, "json"), json);
+}
+
+TEST(FilledAreas, OfSpotInksAreSeparationsInPdf) {
+  const std::string pdf = written(inked(), "pdf");
+  EXPECT_NE(pdf.find("/I0 [/Separation /Burin#20Red /DeviceRGB"), std::string::npos);
+  EXPECT_NE(pdf.find("/Over << /OP true /op true /OPM 1 >>"), std::string::npos);
+  EXPECT_EQ(written(filled(), "pdf").find("/Separation"), std::string::npos);
+  EXPECT_EQ(pdf, written(inked(), "pdf")) << "the same bytes";
+  // Each place of the table is where an object begins.
+  const std::size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
+  ASSERT_EQ(pdf.substr(table, 5), "xref\n");
+  std::size_t at = pdf.find(" f \n", table) + 4;
+  std::size_t number = 0;
+  for (; pdf[at] != 't'; at += 20) {
+    const std::size_t place = std::stoul(pdf.substr(at, 10));
+    const std::string begin = std::to_string(++number) + " 0 obj\n";
+    EXPECT_EQ(pdf.substr(place, begin.size()), begin);
+  }
+  EXPECT_EQ(number, 6u);
+}
+
 TEST(FilledAreas, OfPdfAreFilledByTheEvenOddRule) {
   const std::string pdf = written(filled(), "pdf");
   EXPECT_GT(pdf.size(), written(parsed(least()), "pdf").size());

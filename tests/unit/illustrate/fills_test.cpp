@@ -3,12 +3,14 @@
 #include <burin/drawing/color.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/legend.h>
 
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -98,6 +100,112 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));
   set_style_key(style, "tone.steps", "5");
   EXPECT_EQ(style.fill.steps, 5);
+}
+
+TEST(Fills, OfAnInkAreTintsOfItTheDarkestAllOfIt) {
+  Style style = builtin_style("duotone");
+  style.shadow.ground = false;
+  Scene scene;
+  scene.parts.push_back(
+      {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 48, 24))});
+  const Drawing drawing = draw(scene, style);
+  ASSERT_EQ(drawing.inks, (std::vector<SpotInk>{{"Spot", "#0078bf"}}));
+  std::vector<double> tints;
+  for (const Area& area : drawing.areas) {
+    EXPECT_EQ(area.ink, "Spot");
+    tints.push_back(area.tint);
+    if (area.tone == 0) {
+      EXPECT_EQ(area.fill, "#0078bf");
+    }
+  }
+  ASSERT_EQ(tints.size(), 3u);
+  EXPECT_NEAR(tints[0], 0.15, 1e-12);
+  EXPECT_NEAR(tints[1], 0.575, 1e-12);
+  EXPECT_NEAR(tints[2], 1, 1e-12);
+}
+
+TEST(Fills, OfOneInkInTwoColoursAreTold) {
+  Style style = builtin_style("flat");
+  style.fill.ink = "Blue";
+  const Drawing drawing = draw(row_of_boxes(), style);
+  EXPECT_TRUE(std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
+    return d.code == "fill.ink_colors" && d.count == 3;
+  }));
+  style.fill.ink = "All";
+  EXPECT_ANY_THROW(check_style(style));
+}
+
+TEST(Fills, TheLegendHasCopiesOnceAndLeavesOutWhatItIsToldTo) {
+  const Scene scene = row_of_boxes();
+  const std::vector<DrawingItem> items = {
+      {1, "plate", {0}, "", ""}, {2, "bolt", {1, 2}, "", ""}, {3, "cover", {3}, "", ""}};
+  IllustrateOptions options;
+  const auto rows = legend_rows(scene, builtin_style("shaded"), options, items);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].name, "plate");
+  EXPECT_EQ(rows[0].square.fill, "#123456") << "in full light";
+  EXPECT_EQ(rows[1].name, "bolt");
+  EXPECT_EQ(rows[1].item, 2);
+  options.part_styles.resize(4);
+  options.part_styles[0].style = builtin_style("flat");
+  options.part_styles[0].style->fill.legend = false;
+  options.part_styles[3].drawn = false;
+  EXPECT_EQ(legend_rows(scene, builtin_style("flat"), options, items).size(), 1u);
+  EXPECT_TRUE(legend_rows(scene, builtin_style("outline"), {}, items).empty());
+}
+
+/// Paper mm of all lines of the layer of hatching.
+double hatched(const Drawing& drawing) {
+  double sum = 0;
+  for (const Layer& layer : drawing.layers) {
+    if (layer.name != "fill-hatch") continue;
+    for (const Path& path : layer.paths) sum += glm::distance(path.points[0], path.points[1]);
+  }
+  return sum;
+}
+
+/// What is inside an odd number of rings, by their signed areas.
+double size_of(const Area& area) {
+  double sum = 0;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      sum += 0.5 * (a.x * b.y - b.x * a.y);
+    }
+  }
+  return std::abs(sum);
+}
+
+TEST(Fills, AreHatchedInTheTonesThatAreAskedFor) {
+  Scene scene;
+  scene.parts.push_back(
+      {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 48, 24))});
+  Style style = builtin_style("cel");  // three tones, each of which holds the darker ones
+  style.fill.hatch.lines = FillHatch::Lines::Lines;
+  style.fill.hatch.distance = 0.2;
+  const auto size = [&](const Drawing& drawing, int tone) {
+    const auto area = std::ranges::find(drawing.areas, tone, &Area::tone);
+    return area == drawing.areas.end() ? 0 : size_of(*area);
+  };
+  for (int tones = 1; tones <= 3; ++tones) {
+    style.fill.hatch.tones = tones;
+    const Drawing drawing = draw(scene, style);
+    const double wanted = size(drawing, tones - 1);
+    EXPECT_GT(wanted, 100);
+    EXPECT_NEAR(hatched(drawing) * 0.2, wanted, 0.01 * wanted) << tones;
+    EXPECT_EQ(drawing.layers.front().name, "fill-hatch") << "below the lines";
+  }
+  // Crossed, each tone has what is darker once more.
+  style.fill.hatch.tones = 2;
+  style.fill.hatch.lines = FillHatch::Lines::Cross;
+  const Drawing crossed = draw(scene, style);
+  const double both = size(crossed, 1) + size(crossed, 0);
+  EXPECT_NEAR(hatched(crossed) * 0.2, both, 0.01 * both);
+  // In the stead of a colour.
+  style.fill.color = "none";
+  const Drawing alone = draw(scene, style);
+  EXPECT_NEAR(hatched(alone), hatched(crossed), 1e-6);
+  EXPECT_TRUE(std::ranges::all_of(alone.areas, [](const Area& a) { return a.fill.empty(); }));
 }
 
 TEST(Fills, LightnessIsThatOfTheEye) {

@@ -23,7 +23,7 @@ WHOLE = "The whole"
 # Where drawings that were compared line by line lie, beside models.
 _LINES = "lines"
 # Options that shape a drawing and that `burin diff` does not take: it draws both revisions as they stand, without lists.
-_NOT_OF_DIFF = {"explode", "explode_factor", "callouts", "parts_list", "verify", "id_prefix"}
+_NOT_OF_DIFF = {"explode", "explode_factor", "callouts", "parts_list", "legend", "verify", "id_prefix"}
 # Options that name parts.
 _SELECTING = {"part", "hide", "ghost", "look", "detail", "section_exclude"}
 

@@ -10,9 +10,19 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin {
+
+/// A colour and what has it.
+struct LegendRow {
+  /// Number of the item; 0: none.
+  int item = 0;
+  std::string name;
+  /// Part, fill, opacity and ink of the square; without rings.
+  Area square{};
+};
 
 /// What is laid over a drawing.
 struct Annotations {
@@ -22,6 +32,8 @@ struct Annotations {
   bool callouts = false;
   /// The items as a table above the lower right corner, from the bottom up; ISO 7573.
   bool parts_list = false;
+  /// Squares in the colours of parts, with names beside them; empty: none.
+  std::vector<LegendRow> legend = {};
   /// The empty border of the sheet, in which nothing of it stands.
   Margin margin{};
 };
@@ -36,27 +48,27 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
 bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
                      const Paper& paper, const Margin& border);
 
-/// What a parts list that the annotations have leaves of the sheet without its margin; all of that
-/// where they have none, or it has no room.
-Box2 beside_parts_list(const Annotations& annotations, const CalloutOptions& style,
-                       const Paper& paper);
+/// What the parts list and the legend that the annotations have leave of the sheet without its
+/// margin.
+Box2 beside_tables(const Annotations& annotations, const CalloutOptions& style, const Paper& paper);
 
-/// Where that list stands; nothing where there is none.
+/// Where the list stands; nothing where there is none or it has no room.
 std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
                                    const Paper& paper);
 
-/// Lays the parts list alone over a sheet, with the diagnostics of `annotate` about it.
-void lay_parts_list(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style);
+/// Lays the parts list and the legend alone over a sheet, with the diagnostics of `annotate` about
+/// them.
+void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style);
 
-/// Lays callouts (layer "callouts") and the parts list (layer "parts_list") over a drawing that
-/// stands in its sheet. `seen` says which part is seen where, `glass` the same of parts that can be
-/// looked through: what is seen first, then what is seen through that, ... The leader of an item
-/// begins in the largest disc that is seen of one of its parts, with a dot, or on the longest line
-/// of one with an arrow where that disc has a radius of 0.8 mm or less. Tells in the diagnostics of
-/// items that are not seen
-/// ("callouts.not_shown"), of numbers that have no room ("callouts.crowded"), of a list that has
-/// none ("parts_list.no_room") and of characters that the font has not ("text.no_glyph"). Throws
-/// Cancelled. Cost: 30 ms and 5 ms for 100 items.
+/// Lays callouts (layer "callouts"), the parts list (layer "parts_list") and the legend (layer
+/// "legend", its squares last of all areas) over a drawing that stands in its sheet. `seen` says
+/// which part is seen where, `glass` the same of parts that can be looked through: what is seen
+/// first, then what is seen through that, ... The leader of an item begins in the largest disc that
+/// is seen of one of its parts, with a dot, or on the longest line of one with an arrow where that
+/// disc has a radius of 0.8 mm or less. Tells in the diagnostics of items that are not seen
+/// ("callouts.not_shown"), of numbers that have no room ("callouts.crowded"), of a list or a
+/// legend that has none ("parts_list.no_room", "legend.no_room") and of characters that the font
+/// has not ("text.no_glyph"). Throws Cancelled. Cost: 30 ms and 5 ms for 100 items.
 void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context);

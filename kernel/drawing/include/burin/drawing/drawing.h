@@ -74,7 +74,7 @@ struct Text {
   TextAnchor anchor = TextAnchor::Start;
   /// UTF-8.
   std::string text;
-  /// What it is: "callout", "parts_list", "detail", "step".
+  /// What it is: "callout", "parts_list", "legend", "detail", "step".
   std::string role = {};
   /// The number of the item that it is about; 0: none.
   int item = 0;
@@ -110,6 +110,13 @@ struct DrawingItem {
   std::size_t quantity() const { return selectors.empty() ? parts.size() : things().size(); }
 };
 
+/// An ink that printers have beside the four: its name and its colour, "#rrggbb".
+struct SpotInk {
+  std::string name;
+  std::string color;
+  bool operator==(const SpotInk&) const = default;
+};
+
 /// Where a part is seen, for pointing at it, and its colour there.
 struct Area {
   std::int32_t part = -1;
@@ -121,6 +128,11 @@ struct Area {
   std::string fill = {};
   /// Of the fill, from 0 to 1.
   double opacity = 1;
+  /// The ink of `Drawing::inks` that the fill is a tint of, and its share; empty: none.
+  std::string ink = {};
+  double tint = 1;
+  /// "legend": a square of it; empty: what is seen of the part.
+  std::string role = {};
   /// Closed, paper mm; what is inside an odd number of them.
   std::vector<std::vector<Vec2>> rings;
 };
@@ -219,6 +231,8 @@ struct Drawing {
   /// By number; only where they were asked for, as are the areas.
   std::vector<DrawingItem> items = {};
   std::vector<Area> areas = {};
+  /// That areas are printed in.
+  std::vector<SpotInk> inks = {};
   std::vector<Layer> layers;
   Diagnostics diagnostics;
   DrawingStats stats;

@@ -57,6 +57,27 @@ struct StrokeKind {
   bool operator==(const StrokeKind&) const = default;
 };
 
+/// Parallel lines over regions of flat colour, or in their stead.
+struct FillHatch {
+  enum class Lines {
+    None,
+    Lines,
+    Cross,  // each darker step has lines of one direction more
+  };
+  Lines lines = Lines::None;
+  /// Degrees from the horizontal of the sheet, anticlockwise.
+  double angle = 45;
+  /// Paper mm from line to line, and of their width.
+  double distance = 0.8;
+  double width = 0.13;
+  /// How many steps of tone have lines, from the darkest.
+  int tones = 1;
+  /// "#rrggbb"; "fill": the colour of the part; empty: that of the lines.
+  std::string color = {};
+
+  bool operator==(const FillHatch&) const = default;
+};
+
 /// Flat colours under the lines.
 struct FillOptions {
   /// "#rrggbb"; "part": the colour of the part, or of a palette where it has none; "none".
@@ -66,6 +87,14 @@ struct FillOptions {
   int steps = 0;
   /// Lightness of the darkest step, as a share of that of the colour.
   double darkest = 0.55;
+  /// Name of the spot ink that `color` stands for in print; empty: none. Its steps are tints of it,
+  /// up to all of the ink in the darkest one.
+  std::string ink = {};
+  /// Share of that ink in the lightest step, or in the one that there is.
+  double tint = 0.3;
+  /// Whether the part stands in the legend of colours.
+  bool legend = true;
+  FillHatch hatch{};
 
   bool operator==(const FillOptions&) const = default;
 };
@@ -172,7 +201,7 @@ bool has_strokes(const Style& style);
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
 /// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe,
-/// flat, shaded, cel, manual.
+/// flat, shaded, cel, manual, duotone.
 struct StyleInfo {
   std::string name;
   std::string description;

@@ -85,7 +85,7 @@ struct Illustration {
   std::vector<DetailView> details = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
-  bool callouts = false, parts_list = false, items = false;
+  bool callouts = false, parts_list = false, legend = false, items = false;
   /// Numbers that items have already.
   ItemNumbers numbers = {};
   /// What the drawing is called; empty: by its parts.

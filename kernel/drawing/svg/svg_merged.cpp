@@ -4,6 +4,7 @@
 #include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
+#include "svg_areas.h"
 #include "svg_path.h"
 #include "svg_tags.h"
 
@@ -183,9 +184,10 @@ std::string painted_areas(const Drawing& drawing, SvgIds& ids) {
   for (const Area& area : drawing.areas) {
     if (area.fill.empty()) continue;
     append(out, "<path");
-    append_area_paint(out, area);
+    append_area_fill(out, area);
+    append(out, " d=\"");
     append_area_rings(out, area, drawing.paper_height);
-    append(out, "/>\n");
+    append(out, "\"/>\n");
   }
   if (out.size() == 0) return {};
   return fmt::format("<g id=\"{}\" stroke=\"none\" fill-rule=\"evenodd\">\n", ids.make("areas")) +

@@ -1,11 +1,13 @@
 #include "fills.h"
 
 #include <burin/assembly/items.h>
-#include <burin/drawing/color.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 
 namespace burin::detail {
@@ -25,6 +27,7 @@ constexpr std::array<Rgb, 9> kPalette{{{0x77, 0xAA, 0xDD},
 constexpr double kNextRound = 0.85;
 /// Opacity of a part that is drawn as of glass though its input says nothing of it.
 constexpr double kGlass = 0.25;
+constexpr Rgb kWhite{255, 255, 255};
 
 // What copies of a part have in common, whatever they are called.
 std::string kind_of(const Part& part) {
@@ -55,22 +58,75 @@ double opacity_of(const Part& part, const FillOptions& fill, bool transparent) {
   return fill.opacity * (part.opacity < 1 ? part.opacity : kGlass);
 }
 
-std::string toned(const std::string& color, const FillOptions& fill, std::int32_t tone) {
-  if (tone < 0) return color;
-  // Without steps of their own parts have two where shadows are cast.
-  const double light = std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));
-  const auto rgb = rgb_of(color);
-  if (!rgb || light >= 1) return color;
-  return to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
+/// From 0, the darkest tone, to 1. Without steps of their own parts have two where shadows are cast.
+double light_of(const FillOptions& fill, std::int32_t tone) {
+  if (tone < 0) return 1;
+  return std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));
+}
+
+/// The colours of all inks that areas are printed in, those of one ink once.
+void collect_inks(const Fills& fills, Drawing& drawing) {
+  std::map<std::string, std::set<std::string>> colors;
+  for (const Area& area : drawing.areas) {
+    if (area.ink.empty()) continue;
+    const std::string color = fills.color(static_cast<std::size_t>(area.part));
+    auto& known = colors[area.ink];
+    if (known.empty()) drawing.inks.push_back({area.ink, color});
+    known.insert(color);
+  }
+  for (const auto& [ink, known] : colors) {
+    if (known.size() < 2) continue;
+    drawing.diagnostics.add(
+        Severity::Warning, "fill.ink_colors", static_cast<std::int64_t>(known.size()),
+        fmt::format("the spot ink '{}' (fill.ink) has {} colours; a plate has one: give "
+                    "fill.color one colour, or each colour an ink of its own",
+                    ink, known.size()));
+  }
 }
 
 std::string shadow_color(const Style& style) {
   constexpr double kDarker = 0.86;  // lightness, as a share of that of the paper
   if (!style.shadow.color.empty()) return style.shadow.color;
-  return to_text(with_lightness(rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255}), kDarker));
+  return to_text(with_lightness(rgb_of(style.sheet.paper).value_or(kWhite), kDarker));
 }
 
 }  // namespace
+
+Fills::Fills(const Scene& scene, const PartStyles& part_styles)
+    : scene_(scene),
+      part_styles_(part_styles),
+      own_(colors_of(scene)),
+      paper_(rgb_of(part_styles.styles().front()->sheet.paper).value_or(kWhite)) {}
+
+std::string Fills::color(std::size_t part) const {
+  const FillOptions& fill = part_styles_.style(part).fill;
+  if (fill.color == "none") return {};
+  return fill.color == "part" ? own_[part] : fill.color;
+}
+
+void Fills::paint(Area& area) const {
+  const auto part = static_cast<std::size_t>(area.part);
+  const FillOptions& fill = part_styles_.style(part).fill;
+  area.fill = color(part);
+  const auto rgb = rgb_of(area.fill);
+  if (!rgb || fill.opacity <= 0) {
+    area.fill.clear();
+    return;
+  }
+  const double light = light_of(fill, area.tone);
+  area.opacity = opacity_of(scene_.parts[part], fill, part_styles_.transparent(part));
+  if (!fill.ink.empty()) {
+    area.ink = fill.ink;
+    area.tint = 1 - light * (1 - fill.tint);
+    area.fill = to_text(over(*rgb, area.tint, paper_));
+  } else if (light < 1) {
+    area.fill = to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
+  }
+}
+
+bool nests(const FillOptions& fill) {
+  return fill.opacity >= 1 || fill.opacity <= 0 || fill.color == "none";
+}
 
 bool paints(const PartStyles& part_styles) {
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
@@ -80,15 +136,11 @@ bool paints(const PartStyles& part_styles) {
   return false;
 }
 
-void paint_areas(const Scene& scene, const PartStyles& part_styles, std::vector<Area>& areas) {
-  const std::vector<std::string> own = colors_of(scene);
-  for (Area& area : areas) {
-    const auto part = static_cast<std::size_t>(area.part);
-    const FillOptions& fill = part_styles.style(part).fill;
-    if (fill.color == "none" || fill.opacity <= 0) continue;
-    area.fill = toned(fill.color == "part" ? own[part] : fill.color, fill, area.tone);
-    area.opacity = opacity_of(scene.parts[part], fill, part_styles.transparent(part));
-  }
+void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing) {
+  const Fills fills(scene, part_styles);
+  std::vector<Area>& areas = drawing.areas;
+  for (Area& area : areas) fills.paint(area);
+  collect_inks(fills, drawing);
   // Glass comes first, the foremost before what is seen through it; it is painted last.
   const auto is_glass = [&](const Area& area) {
     return part_styles.transparent(static_cast<std::size_t>(area.part));
@@ -106,7 +158,7 @@ void shade_areas(const Style& style, std::vector<Area>& areas) {
 
 void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
                 std::vector<Area>& areas) {
-  const Rgb paper = rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255});
+  const Rgb paper = rgb_of(style.sheet.paper).value_or(kWhite);
   for (Area& area : areas) {
     if (part_styles.transparent(static_cast<std::size_t>(area.part))) continue;
     const auto fill = rgb_of(area.fill);

@@ -120,31 +120,6 @@ void append_pen(Buffer& out, double width) {
   out.push_back('"');
 }
 
-void append_area_paint(Buffer& out, const Area& area) {
-  if (area.fill.empty() || area.opacity <= 0) return;
-  append(out, fmt::format(" fill=\"{}\"", area.fill));
-  if (area.opacity < 1) {
-    append(out, fmt::format(" fill-opacity=\"{:.4g}\"", area.opacity));
-  } else {
-    append(out, fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                            area.fill, kTrap));
-  }
-}
-
-void append_area_rings(Buffer& out, const Area& area, double paper_height) {
-  append(out, " d=\"");
-  SvgPen pen(out, paper_height);
-  for (const std::vector<Vec2>& ring : area.rings) {
-    std::vector<CubicBezier> chain;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      chain.push_back({a, glm::mix(a, b, 1.0 / 3), glm::mix(a, b, 2.0 / 3), b});
-    }
-    pen.chain(chain, true);
-  }
-  out.push_back('"');
-}
-
 double curve_tolerance(const SvgOptions& options) {
   // What rounding to the grid and writing nearly straight curves as lines may add, in paper mm.
   constexpr double kWritingError = 0.002;

@@ -4,6 +4,7 @@
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
+#include "svg_areas.h"
 #include "svg_path.h"
 #include "svg_tags.h"
 
@@ -154,35 +155,23 @@ class Items {
   void add_areas(SvgIds& ids) {
     if (drawing_.areas.empty()) return;
     Buffer out;
+    const std::string id = ids.make("areas");
+    append(out, svg_area_rules(drawing_, id, svg_ink(drawing_.ink_color)));
     append(out, fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"none\" fill-rule=\"evenodd\" "
                             "pointer-events=\"all\">\n",
-                            ids.make("areas")));
+                            id));
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
-      append_part_class(out, area.part, "area", class_of(area));
-      append_area_paint(out, area);
-      if (!area.fill.empty() && area.face >= 0) {
-        append(out, fmt::format(" data-face=\"{}\"", area.face));
-      }
-      if (!area.fill.empty() && area.tone >= 0) {
-        append(out, fmt::format(" data-tone=\"{}\"", area.tone));
-      }
+      append_part_class(out, area.part, "area", svg_area_classes(area));
+      append_area_fill(out, area);
+      append(out, " d=\"");
       append_area_rings(out, area, drawing_.paper_height);
-      append(out, "><title>");
+      append(out, "\"><title>");
       append_xml(out, area.part < 0 ? "shadow" : part_name(area.part));
       append(out, "</title></path>\n");
     }
     append(out, "</g>\n");
     before_ += fmt::to_string(out);
-  }
-
-  /// The classes by which a page gives painted areas other colours: "part_0 tone_1".
-  static std::string class_of(const Area& area) {
-    if (area.fill.empty()) return {};
-    if (area.part < 0) return "shadow";
-    std::string name = fmt::format("part_{}", area.part);
-    if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
-    return name;
   }
 
   /// Of parts that have a number: class, item and path. `more`: other classes.

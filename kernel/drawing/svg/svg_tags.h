@@ -40,11 +40,6 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
 void append_pen(Buffer& out, double width);
 /// As an attribute; nothing where there are none.
 void append_dashes(Buffer& out, const std::vector<double>& dashes);
-/// The colour of an area, as attributes, which style sheets of a page overrule; nothing where it is
-/// not painted.
-void append_area_paint(Buffer& out, const Area& area);
-/// Its rings, as the attribute `d`.
-void append_area_rings(Buffer& out, const Area& area, double paper_height);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);
 

@@ -1,0 +1,64 @@
+#include "blocks.h"
+
+#include <algorithm>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kApart = 5;  // paper mm between the blocks and the drawing
+constexpr std::size_t kMostBlocks = 12;
+constexpr double kTallest = 0.6;  // share of the frame that one block takes before there are two
+constexpr double kLeast = 0.3;    // share of the frame that the drawing keeps
+
+Box2 in_corner(Corner corner, Vec2 size, const Box2& frame) {
+  const bool right = corner == Corner::BottomRight || corner == Corner::TopRight;
+  const bool top = corner == Corner::TopRight || corner == Corner::TopLeft;
+  const double x = right ? frame.max.x - size.x : frame.min.x;
+  const double y = top ? frame.max.y - size.y : frame.min.y;
+  return {{x, y}, {right ? frame.max.x : x + size.x, top ? frame.max.y : y + size.y}};
+}
+
+/// What is left beside a box in a corner of the frame, or else above or below it.
+Box2 rest_of(const Box2& box, bool beside, const Box2& frame) {
+  Box2 rest = frame;
+  if (beside && box.max.x == frame.max.x) {
+    rest.max.x = box.min.x - kApart;
+  } else if (beside) {
+    rest.min.x = box.max.x + kApart;
+  } else if (box.min.y == frame.min.y) {
+    rest.min.y = box.max.y + kApart;
+  } else {
+    rest.max.y = box.min.y - kApart;
+  }
+  return rest;
+}
+
+}  // namespace
+
+std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame) {
+  const std::size_t n = std::max<std::size_t>(sizes.rows, 1);
+  const Vec2 size = frame.size();
+  std::optional<BlockPlan> best;
+  double most = 0, most_height = 0;
+  for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
+    BlockPlan plan{.blocks = blocks, .rows = (n + blocks - 1) / blocks};
+    const Vec2 taken(static_cast<double>(blocks) * sizes.block,
+                     static_cast<double>(plan.rows + sizes.heading) * sizes.row);
+    if (taken.x > size.x || taken.y > size.y) continue;
+    // More blocks only where fewer are too tall: a table is read downwards.
+    if (best && most_height <= kTallest * size.y) break;
+    plan.box = in_corner(corner, taken, frame);
+    for (const bool beside : {true, false}) {
+      plan.rest = rest_of(plan.box, beside, frame);
+      const Vec2 rest = plan.rest.size();
+      if (rest.x < kLeast * size.x || rest.y < kLeast * size.y) continue;
+      if (rest.x * rest.y <= most) continue;
+      most = rest.x * rest.y;
+      most_height = taken.y;
+      best = plan;
+    }
+  }
+  return best;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,29 @@
+#pragma once
+// Blocks of rows in a corner of the sheet, beside the drawing; internal to the module.
+
+#include <burin/annotate/options.h>
+#include <burin/base/box.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace burin::detail {
+
+/// Where rows stand and how they are parted: blocks of them beside each other.
+struct BlockPlan {
+  Box2 box{};
+  std::size_t blocks = 1, rows = 1;
+  /// What is left of the frame for the drawing: beside the blocks, or above or below them.
+  Box2 rest{};
+};
+
+/// What a table is made of: paper mm of a row and of a block, rows, and those of its heading.
+struct BlockSizes {
+  double row = 0, block = 0;
+  std::size_t rows = 1, heading = 0;
+};
+
+/// Nothing where it would take more than 70 % of the frame's width and height.
+std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame);
+
+}  // namespace burin::detail

@@ -1,0 +1,66 @@
+#include "legend.h"
+
+#include <burin/drawing/font.h>
+
+#include "frame_path.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kWidestName = 24;  // heights of letters, as in the parts list
+constexpr double kRounding = 1e-6;  // paper mm
+
+}  // namespace
+
+std::optional<LegendPlan> plan_legend(const Annotations& annotations, const CalloutOptions& style,
+                                      const Box2& frame) {
+  if (annotations.legend.empty()) return std::nullopt;
+  const double h = style.list_height;
+  LegendPlan plan;
+  plan.row = 2 * h;
+  plan.square = 1.4 * h;
+  double name = 0;
+  for (const LegendRow& row : annotations.legend) {
+    name = std::max(name, std::min(text_width(row.name, h), kWidestName * h));
+  }
+  plan.block = plan.square + 0.8 * h + name + 1.2 * h;
+  const auto blocks =
+      place_blocks({plan.row, plan.block, annotations.legend.size()}, style.legend, frame);
+  if (!blocks) return std::nullopt;
+  static_cast<BlockPlan&>(plan) = *blocks;
+  return plan;
+}
+
+void lay_legend(const LegendPlan& plan, const Annotations& annotations, const CalloutOptions& style,
+                Drawing& drawing) {
+  const double h = style.list_height;
+  Layer layer{"legend", {}};
+  for (std::size_t i = 0; i < annotations.legend.size(); ++i) {
+    const LegendRow& row = annotations.legend[i];
+    const double left = plan.box.min.x + static_cast<double>(i / plan.rows) * plan.block;
+    const double middle = plan.box.max.y - (static_cast<double>(i % plan.rows) + 0.5) * plan.row;
+    const Vec2 low(left, middle - 0.5 * plan.square), high = low + plan.square;
+    Path border = line(low, {high.x, low.y}, style.line);
+    border.points.insert(border.points.end(), {high, {low.x, high.y}});
+    border.closed = true;
+    border.item = row.item;
+    Area square = row.square;
+    square.role = "legend";
+    square.rings = {border.points};
+    drawing.areas.push_back(std::move(square));
+    layer.paths.push_back(std::move(border));
+    const double x = high.x + 0.8 * h, most = plan.block - plan.square - 2 * h;
+    layer.texts.push_back({{x, middle - 0.5 * h},
+                           h,
+                           TextAnchor::Start,
+                           fitted_text(row.name, h, most + kRounding),
+                           "legend",
+                           row.item});
+  }
+  drawing.layers.push_back(std::move(layer));
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,128 @@
+#include "tables.h"
+
+#include <burin/drawing/font.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace burin {
+namespace detail {
+namespace {
+
+void report_missing(const std::vector<std::string>& names, Diagnostics& diagnostics) {
+  std::size_t missing = 0;
+  const std::string* first = nullptr;
+  for (const std::string& name : names) {
+    const std::size_t of_name = missing_glyphs(name);
+    if (of_name > 0 && !first) first = &name;
+    missing += of_name;
+  }
+  if (missing == 0) return;
+  diagnostics.add(Severity::Warning, "text.no_glyph", static_cast<std::int64_t>(missing),
+                  fmt::format("characters that the drawing font lacks are boxes, except in SVG, "
+                              "HTML and DXF; the first in '{}'",
+                              *first));
+}
+
+void add_list(const std::optional<ListPlan>& plan, const Annotations& annotations,
+              const CalloutOptions& style, Drawing& drawing) {
+  if (!plan) {
+    drawing.diagnostics.add(
+        Severity::Warning, "parts_list.no_room", 1,
+        fmt::format("a parts list of {} rows does not fit beside the drawing on a sheet of {:g} x "
+                    "{:g} mm: give a larger `paper`, a smaller callout.list_height, or write it as "
+                    "a file",
+                    annotations.items.size(), drawing.paper_width, drawing.paper_height));
+    return;
+  }
+  std::vector<std::string> names;
+  for (const DrawingItem& item : annotations.items) names.push_back(item.name);
+  report_missing(names, drawing.diagnostics);
+  drawing.layers.push_back(list_layer(annotations.items, style, *plan));
+}
+
+void add_legend(const std::optional<LegendPlan>& plan, const Annotations& annotations,
+                const CalloutOptions& style, Drawing& drawing) {
+  if (!plan) {
+    drawing.diagnostics.add(
+        Severity::Warning, "legend.no_room", 1,
+        fmt::format("a legend of {} rows does not fit beside the drawing on a sheet of {:g} x {:g} "
+                    "mm: give a larger `paper` or a smaller callout.list_height",
+                    annotations.legend.size(), drawing.paper_width, drawing.paper_height));
+    return;
+  }
+  std::vector<std::string> names;
+  for (const LegendRow& row : annotations.legend) names.push_back(row.name);
+  if (!annotations.parts_list) report_missing(names, drawing.diagnostics);
+  lay_legend(*plan, annotations, style, drawing);
+}
+
+}  // namespace
+
+bool Tables::fit(const Annotations& annotations) const {
+  return (list || !annotations.parts_list) && (legend || annotations.legend.empty());
+}
+
+Annotations shown_in(const Drawing& drawing, Annotations annotations) {
+  std::set<std::int32_t> seen;
+  for (const Area& area : drawing.areas) seen.insert(area.part);
+  const auto is_seen = [&](const LegendRow& row) {
+    return std::ranges::any_of(annotations.items, [&](const DrawingItem& item) {
+      return item.name == row.name && std::ranges::any_of(item.parts, [&](std::int32_t part) {
+               return seen.contains(part);
+             });
+    });
+  };
+  std::erase_if(annotations.legend, [&](const LegendRow& row) { return !is_seen(row); });
+  return annotations;
+}
+
+Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame) {
+  Tables tables{{}, {}, frame};
+  if (annotations.parts_list) tables.list = plan_list(annotations, style, frame);
+  if (tables.list) tables.rest = tables.list->rest;
+  tables.legend = plan_legend(annotations, style, tables.rest);
+  if (tables.legend) tables.rest = tables.legend->rest;
+  return tables;
+}
+
+void lay_tables(const Tables& tables, const Annotations& annotations, const CalloutOptions& style,
+                Drawing& drawing) {
+  if (annotations.parts_list) add_list(tables.list, annotations, style, drawing);
+  if (!annotations.legend.empty()) add_legend(tables.legend, annotations, style, drawing);
+}
+
+}  // namespace detail
+
+namespace {
+
+detail::Tables tables_on(const Paper& paper, const Annotations& annotations,
+                         const CalloutOptions& style) {
+  return detail::plan_tables(annotations, style, inside(paper, annotations.margin));
+}
+
+}  // namespace
+
+Box2 beside_tables(const Annotations& annotations, const CalloutOptions& style,
+                   const Paper& paper) {
+  return tables_on(paper, annotations, style).rest;
+}
+
+std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
+                                   const Paper& paper) {
+  const auto plan = tables_on(paper, annotations, style).list;
+  return plan ? std::optional(plan->box) : std::nullopt;
+}
+
+void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
+  const Paper paper{drawing.paper_width, drawing.paper_height};
+  const Annotations shown = detail::shown_in(drawing, annotations);
+  detail::lay_tables(tables_on(paper, shown, style), shown, style, drawing);
+}
+
+}  // namespace burin

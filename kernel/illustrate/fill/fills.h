@@ -1,0 +1,54 @@
+#pragma once
+// The flat colours of areas; internal to the module.
+
+#include <burin/base/diagnostics.h>
+#include <burin/drawing/color.h>
+#include <burin/drawing/drawing.h>
+#include <burin/surface/scene.h>
+
+#include "../part_styles.h"
+
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// The colours of parts. Those without one of their own have one of a palette that people who see
+/// fewer colours can tell apart, by what they are instances of: it stays in all views of a scene.
+/// @cite Tol2021
+class Fills {
+ public:
+  /// Both must outlive it.
+  Fills(const Scene& scene, const PartStyles& part_styles);
+
+  /// "#rrggbb" in full light and, of an ink, all of it; empty where the part has none.
+  std::string color(std::size_t part) const;
+  /// Gives an area the colour of its part and tone.
+  void paint(Area& area) const;
+
+ private:
+  const Scene& scene_;
+  const PartStyles& part_styles_;
+  std::vector<std::string> own_;
+  Rgb paper_;
+};
+
+/// Whether the area of a tone holds the darker ones, which are painted over it.
+bool nests(const FillOptions& fill);
+
+/// Whether any part that is drawn has a flat colour.
+bool paints(const PartStyles& part_styles);
+
+/// Gives the areas of a drawing their colours and inks, and brings them into the order of painting:
+/// what can be looked through over what is behind it. Tells of an ink that has several colours.
+void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing);
+
+/// Gives the shade of parts without a colour the colour of shadows.
+void shade_areas(const Style& style, std::vector<Area>& areas);
+
+/// Lays a shadow below all areas, in its colour. It is not seen through parts that are opaque, even
+/// if their colour is not, or they have none: that is mixed with the paper.
+void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
+                std::vector<Area>& areas);
+
+}  // namespace burin::detail

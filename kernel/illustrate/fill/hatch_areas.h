@@ -1,0 +1,24 @@
+#pragma once
+// Parallel lines over regions of flat colour; internal to the module.
+
+#include <burin/base/run_context.h>
+#include <burin/drawing/drawing.h>
+#include <burin/surface/scene.h>
+
+#include "../part_styles.h"
+
+#include <string_view>
+
+namespace burin::detail {
+
+/// Whether any part that is drawn has such lines.
+bool hatches(const PartStyles& part_styles);
+
+/// Adds the layer "fill-hatch", below all others, with lines over the areas of a drawing; they have
+/// no points in the model. Darker areas lie in lighter ones of their part
+/// (`RegionOptions::nested`), so that the lightest one with lines is hatched in one go, and darker
+/// ones beside that where lines cross. `role`: that of the areas. Throws Cancelled.
+void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_view role,
+                 Drawing& drawing, const RunContext& context);
+
+}  // namespace burin::detail

@@ -1,0 +1,19 @@
+#pragma once
+/// Which colours stand for which items.
+
+#include <burin/annotate/annotate.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/surface/scene.h>
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A row for each colour of an item: those of parts that are drawn with a flat colour and whose
+/// style has `fill.legend`; items of one name and colour once. `options`: its `part_styles` count.
+std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
+                                   const IllustrateOptions& options,
+                                   std::span<const DrawingItem> items);
+
+}  // namespace burin

@@ -1,0 +1,111 @@
+/// The legend of colours in a corner of the sheet.
+
+#include <burin/annotate/annotate.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace burin {
+namespace {
+
+Annotations three_colors() {
+  Annotations over;
+  over.items = {{1, "plate", {0}, "", ""}, {2, "bolt", {1, 2}, "", ""}, {3, "cover", {3}, "", ""}};
+  over.margin = Margin(10);
+  for (const DrawingItem& item : over.items) {
+    LegendRow row{item.number, item.name, {}};
+    row.square.part = item.parts.front();
+    row.square.fill = "#77aadd";
+    over.legend.push_back(row);
+  }
+  return over;
+}
+
+Drawing laid(const Annotations& over, const CalloutOptions& style = {}) {
+  Drawing drawing;
+  for (const std::int32_t part : {0, 2, 3}) drawing.areas.push_back({.part = part, .rings = {}});
+  lay_tables(drawing, over, style);
+  drawing.areas.erase(drawing.areas.begin(), drawing.areas.begin() + 3);
+  return drawing;
+}
+
+TEST(Legend, HasASquareAndANameARowWithinTheMargin) {
+  const Drawing drawing = laid(three_colors());
+  ASSERT_EQ(drawing.areas.size(), 3u);
+  ASSERT_EQ(drawing.layers.size(), 1u);
+  const Layer& layer = drawing.layers[0];
+  EXPECT_EQ(layer.name, "legend");
+  ASSERT_EQ(layer.texts.size(), 3u);
+  ASSERT_EQ(layer.paths.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Area& square = drawing.areas[i];
+    EXPECT_EQ(square.role, "legend");
+    EXPECT_EQ(square.fill, "#77aadd");
+    EXPECT_EQ(square.rings.at(0), layer.paths[i].points) << "its border lies on it";
+    const Vec2 low = square.rings[0][0], high = square.rings[0][2];
+    EXPECT_NEAR(high.x - low.x, 3.5, 1e-9);
+    EXPECT_NEAR(high.y - low.y, 3.5, 1e-9);
+    EXPECT_GE(low.y, 10);
+    EXPECT_LE(high.x, 287);
+    EXPECT_GT(layer.texts[i].at.x, high.x);
+    EXPECT_NEAR(layer.texts[i].at.y + 1.25, 0.5 * (low.y + high.y), 1e-9);
+    if (i > 0) {
+      EXPECT_LT(high.y, drawing.areas[i - 1].rings[0][0].y) << "from the top down";
+    }
+  }
+  EXPECT_EQ(layer.texts[1].text, "bolt");
+  EXPECT_EQ(layer.texts[1].item, 2);
+}
+
+TEST(Legend, StandsInTheCornerThatIsNamedAndLeavesTheRest) {
+  const Paper paper{297, 210};
+  for (const Corner corner :
+       {Corner::BottomRight, Corner::BottomLeft, Corner::TopRight, Corner::TopLeft}) {
+    CalloutOptions style;
+    style.legend = corner;
+    const Drawing drawing = laid(three_colors(), style);
+    const Box2 rest = beside_tables(three_colors(), style, paper);
+    const Vec2 at = drawing.areas.at(1).rings[0][0];
+    const bool right = corner == Corner::BottomRight || corner == Corner::TopRight;
+    const bool top = corner == Corner::TopRight || corner == Corner::TopLeft;
+    EXPECT_EQ(at.x > 148.5, right);
+    EXPECT_EQ(at.y > 105, top);
+    EXPECT_FALSE(rest.contains(at));
+    EXPECT_GT(rest.size().x * rest.size().y, 0.7 * 277 * 190);
+  }
+}
+
+TEST(Legend, StandsBesideTheListOfParts) {
+  Annotations over = three_colors();
+  over.parts_list = true;
+  const Box2 list = parts_list_box(over, {}, {297, 210}).value();
+  const Drawing drawing = laid(over);
+  ASSERT_EQ(drawing.layers.size(), 2u);
+  for (const Area& square : drawing.areas) {
+    for (const Vec2& p : square.rings[0]) EXPECT_FALSE(list.contains(p));
+  }
+}
+
+TEST(Legend, HasWhatIsSeen) {
+  Drawing drawing;
+  drawing.areas.push_back({.part = 2, .rings = {}});
+  lay_tables(drawing, three_colors(), {});
+  ASSERT_EQ(drawing.layers.size(), 1u);
+  ASSERT_EQ(drawing.layers[0].texts.size(), 1u);
+  EXPECT_EQ(drawing.layers[0].texts[0].text, "bolt") << "a copy of it is";
+}
+
+TEST(Legend, WithoutRoomIsTold) {
+  Drawing drawing;
+  drawing.areas.push_back({.part = 0, .rings = {}});
+  drawing.paper_width = drawing.paper_height = 30;
+  lay_tables(drawing, three_colors(), {});
+  EXPECT_EQ(drawing.areas.size(), 1u);
+  ASSERT_EQ(drawing.diagnostics.entries().size(), 1u);
+  EXPECT_EQ(drawing.diagnostics.entries()[0].code, "legend.no_room");
+}
+
+}  // namespace
+}  // namespace burin
