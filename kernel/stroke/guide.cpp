@@ -31,6 +31,7 @@ Guide::Heading Guide::at(Vec2 paper) {
   const Vec2 unit = length > 0 ? step / length : Vec2(1, 0);
   out.off = cross2(unit, paper - p[at_]);
   out.gap = line_->gaps[at_];
+  out.beside_end = line_->beside_end;
   out.past = along > 1 && last(next(at_));
   out.inside = way_ > 0 ? line_->end_inside : line_->begin_inside;
   // The place ahead, on the line or on its last step drawn out.

@@ -12,11 +12,12 @@ class Guide {
   Guide(const LevelLine& line, std::size_t start, int way) : line_(&line), at_(start), way_(way) {}
 
   struct Heading {
-    double off = 0;       // paper mm that the stroke is to the left of the line
-    Vec2 ahead{0};        // unit: towards a place of the line a little further on
-    double gap = 0;       // paper mm to the next line
-    bool past = false;    // beyond the line's end
-    bool inside = false;  // ... which lies inside the surface: the stroke is to end there
+    double off = 0;         // paper mm that the stroke is to the left of the line
+    Vec2 ahead{0};          // unit: towards a place of the line a little further on
+    double gap = 0;         // paper mm to the next line
+    bool past = false;      // beyond the line's end
+    bool inside = false;    // ... which lies inside the surface: the stroke is to end there
+    double beside_end = 0;  // as of the line
   };
   /// At a place of the stroke, not before the last one that was asked for.
   Heading at(Vec2 paper);

@@ -16,7 +16,9 @@ constexpr int kPasses = 4;          // of smoothing
 constexpr int kTipSteps = 64;       // crossings at the most to the place by which a tip is judged
 constexpr double kTipLength = 1.5;  // gaps from a tip to there: nearer by, lines give way to it
 constexpr double kBeside = 0.5;     // gaps that a line may be moved aside to go on as another
-constexpr double kOpposite = -0.7;  // cosine between the ways of two that may go on so
+constexpr double kBesideEnd = 8;    // gaps from a tip within which lines make room for it
+constexpr std::int64_t kMostReach = 64;  // ... in cells, at the most
+constexpr double kOpposite = -0.7;       // cosine between the ways of two that may go on so
 
 // The whole turns between two phases, each at least as large as the first + 1: (low, high].
 struct Turns {
@@ -286,6 +288,34 @@ class Marcher {
   std::vector<std::array<std::int32_t, 3>> wound_;
 };
 
+// Finds the lines that pass beside one that ends inside the surface.
+void find_beside_ends(const ViewRaster& raster, std::vector<LevelLine>& lines) {
+  std::vector<float> near(raster.cells.size(), 0);
+  const auto mark = [&](Vec2 tip, double gap) {
+    const double radius = kBesideEnd * gap;
+    const auto middle = static_cast<std::int64_t>(raster.index(tip)),
+               reach = std::min(kMostReach, static_cast<std::int64_t>(radius / raster.pitch));
+    for (std::int64_t dy = -reach; dy <= reach; ++dy) {
+      for (std::int64_t dx = -reach; dx <= reach; ++dx) {
+        const std::int64_t cell = middle + dy * raster.nx + dx;
+        if (cell < 0 || cell >= static_cast<std::int64_t>(near.size())) continue;
+        const auto i = static_cast<std::size_t>(cell);
+        const auto share = static_cast<float>(1 - glm::distance(raster.center(i), tip) / radius);
+        near[i] = std::max(near[i], share);
+      }
+    }
+  };
+  for (const LevelLine& line : lines) {
+    if (line.begin_inside) mark(line.points.front(), line.gaps.front());
+    if (line.end_inside) mark(line.points.back(), line.gaps.back());
+  }
+  for (LevelLine& line : lines) {
+    for (const Vec2& p : line.points) {
+      line.beside_end = std::max(line.beside_end, near[raster.index(p)]);
+    }
+  }
+}
+
 }  // namespace
 
 double LevelLine::length() const {
@@ -297,7 +327,9 @@ double LevelLine::length() const {
 
 std::vector<LevelLine> level_lines(const ViewRaster& raster, const WaveGraph& graph,
                                    const WavePhase& phase, const RunContext& context) {
-  return Marcher(raster, graph, phase, context).lines();
+  std::vector<LevelLine> lines = Marcher(raster, graph, phase, context).lines();
+  find_beside_ends(raster, lines);
+  return lines;
 }
 
 }  // namespace burin::detail

@@ -14,6 +14,8 @@ struct LevelLine {
   bool closed = false;
   /// Whether it ends inside the surface, where one line less is needed, and not at its border.
   bool begin_inside = false, end_inside = false;
+  /// 1 where it passes at a place where another one ends so, 0 eight gaps from there and farther.
+  float beside_end = 0;
   std::uint32_t node = 0;   // one that it passes
   std::int64_t number = 0;  // whole turns; neighbours differ by one
 

@@ -106,6 +106,7 @@ std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int f
     LevelLine run;
     run.node = line.node;
     run.number = line.number;
+    run.beside_end = line.beside_end;
     run.begin_inside = line.begin_inside && start + i == 0;
     for (; i < n && ink[(start + i) % n]; ++i) {
       run.points.push_back(line.points[(start + i) % n]);

@@ -198,6 +198,7 @@ class Placement {
       r.line.gaps = cut(piece.line.gaps);
       r.line.node = piece.line.node;
       r.line.number = piece.line.number;
+      r.line.beside_end = piece.line.beside_end;
       r.line.begin_inside = a > 0 || piece.line.begin_inside;
       r.line.end_inside = b < piece.line.points.size() || piece.line.end_inside;
       r.length = r.line.length();

@@ -20,8 +20,8 @@ constexpr double kMostOff = 0.25;      // of a step that a stroke may be off its
 constexpr double kLeastOff = 1e-4;     // ... that it is left off
 constexpr int kMaxSamples = 20000;     // a bound where length_max is set absurdly high
 
-// A stroke on a form whose field is exact turns off the field by no more than this to keep to its
-// level line; on a face of which everybody knows how lines run, only where it would be lost.
+// A stroke on an exact form turns off the field by no more than this to keep to its level line; on
+// a face of which everybody knows how lines run, only where it would be lost.
 constexpr double kMostTurn = 6 * std::numbers::pi / 180;
 constexpr double kFree = 0.2;  // gaps that it may be off there
 // Cosines: where a surface is slanted more than the first a level line says nothing of the way on
@@ -30,6 +30,7 @@ constexpr double kSlanted = 0.2, kSquare = 0.5;
 // Gaps off its level line from which on a stroke turns back to it all the same.
 constexpr double kNearlyLost = 0.3;
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
+constexpr double kCloseOver = 3;    // ... where it is to fill the place of one that ended
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
 // ... and seen beyond one that ends inside the surface: into the wedge that its neighbours leave.
@@ -192,7 +193,8 @@ Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
   const double area = cross2(t, b);
   const auto turned = [&](double free) {
     const double off = heading.off - std::clamp(heading.off, -free, free);
-    const double turn = std::clamp(-off / kTurnOver, -kMostTurn, kMostTurn);
+    const double closing = heading.beside_end * (heading.off - off) / kCloseOver;
+    const double turn = std::clamp(-off / kTurnOver - closing, -kMostTurn, kMostTurn);
     return std::cos(turn) * tangent + (area < 0 ? -1.0 : 1.0) * std::sin(turn) * left;
   };
   if (picture_.surface(part).exact() || !at.bent) {

@@ -21,12 +21,13 @@ namespace {
 
 using test::FormCase;
 
-// One part of any form on a sheet of 100 x 100 mm, and the strokes of a field on what is seen.
+// One part of any form on a sheet, usually of 100 x 100 mm, and the strokes of a field on what is
+// seen.
 struct Hatched {
-  Hatched(const Form& form, std::optional<double> perspective)
+  Hatched(const Form& form, std::optional<double> perspective, Paper paper = {100, 100})
       : camera(Camera::fit(
             [&](const Mat3& axes) { return form.bounds(axes); },
-            {.direction = {0.7, -1, 0.6}, .perspective = perspective, .paper = {100, 100}})) {
+            {.direction = {0.7, -1, 0.6}, .perspective = perspective, .paper = paper})) {
     surface = form.realise({.tolerance = 0.05 / camera.scale(), .view = &camera}, context);
   }
 
@@ -223,6 +224,45 @@ TEST(PrincipalStrokes, OnATorusRunRoundItsTube) {
     Hatched hatched(*torus, {});
     EXPECT_LT(off_circles(hatched), 2) << name;
   }
+}
+
+// Places of strokes, in degrees round the axis of a torus about z, where they pass so high on its
+// tube (radians from its outermost circle), on the side that is turned to the viewer.
+std::vector<double> crossings(const std::vector<Curve3>& strokes, double height, double middle) {
+  std::vector<double> out;
+  const auto above = [&](Vec3 p) { return std::atan2(p.z, std::hypot(p.x, p.y) - 20) - height; };
+  for (const Curve3& c : strokes) {
+    for (std::size_t i = 1; i < c.points.size(); ++i) {
+      const double a = above(c.points[i - 1]), b = above(c.points[i]);
+      if ((a < 0) == (b < 0) || std::abs(a - b) > 1) continue;
+      const Vec3 p = glm::mix(c.points[i - 1], c.points[i], a / (a - b));
+      const double degrees = std::remainder(glm::degrees(std::atan2(p.y, p.x)) - middle, 360);
+      if (std::abs(degrees) < 50) out.push_back(degrees);
+    }
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+// Where a line ends between two others they close its place: else a white streak goes on from
+// there.
+TEST(PrincipalStrokes, OfATorusCloseThePlaceOfOneThatEnded) {
+  const auto torus = test::brep_form(BRepPrimAPI_MakeTorus(20, 8).Shape());
+  Hatched hatched(*torus, {}, {300, 300});
+  const std::vector<const Surface*> surfaces{hatched.surface.get()};
+  const auto strokes = hatched.strokes(field::smoothed(surfaces, {}, hatched.context), kFine);
+  const Vec3 viewer = hatched.camera.to_viewer(Vec3(0));
+  const double middle = glm::degrees(std::atan2(viewer.y, viewer.x));
+  std::size_t wide = 0, all = 0;
+  for (double height = -0.5; height < 0.6; height += 0.05) {
+    const std::vector<double> at = crossings(strokes, height, middle);
+    ASSERT_GT(at.size(), 100U);
+    for (std::size_t i = 3; i + 2 < at.size(); ++i, ++all) {
+      const double around = 0.25 * (at[i + 2] - at[i] + at[i - 1] - at[i - 3]);
+      wide += at[i] - at[i - 1] > 1.25 * around;
+    }
+  }
+  EXPECT_LT(wide, all / 1000);
 }
 
 // The share of the strokes that run into a contour which reach it. `normal` is that of a point.
