@@ -4,6 +4,7 @@ import csv
 import importlib.util
 import inspect
 import json
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -56,6 +57,42 @@ class Areas(unittest.TestCase):
         of_bolts = {part["id"] for part in drawing.parts if part["name"].startswith("bolt")}
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] in of_bolts}, {"#3b7dd8"})
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] not in of_bolts}, {"#f4f4f4"})
+
+    @unittest.skipUnless(shutil.which("gs"), "needs Ghostscript")
+    def test_a_spot_ink_has_a_plate_of_its_own(self):
+        drawing = burin.draw(SAMPLES / "coupling.step", style="duotone")
+        self.assertEqual({area["ink"] for area in drawing.areas}, {"Spot"})
+        with tempfile.TemporaryDirectory() as folder:
+            pdf = Path(folder) / "a.pdf"
+            drawing.save(pdf)
+            subprocess.run(["gs", "-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=tiffsep", "-sCompression=none", "-r20",
+                            f"-sOutputFile={folder}/plate.tif", str(pdf)], check=True, capture_output=True)
+            inked = {}
+            for plate in Path(folder).glob("plate(*).tif"):
+                pixels = np.frombuffer(plate.read_bytes(), np.uint8)
+                inked[plate.name[6:-5]] = np.count_nonzero(pixels < 250) / len(pixels)
+        # A header of some bytes is all that the plates have which print nothing.
+        self.assertGreater(inked.pop("Spot"), 0.1)
+        self.assertGreater(inked.pop("Black"), 0.02)
+        self.assertEqual(sorted(inked), ["Cyan", "Magenta", "Yellow"])
+        self.assertLess(max(inked.values()), 0.02)
+
+    def test_a_legend_lists_the_colours_that_are_seen(self):
+        def rows(**options):
+            drawing = burin.draw(SAMPLES / "coupling.step", legend=True, **options)
+            squares = [a for a in drawing.areas if a["role"] == "legend"]
+            texts = [text for layer in drawing.layers if layer.name == "legend" for text in layer.texts]
+            self.assertEqual(len(squares), len(texts))
+            return drawing, [text["text"] for text in texts], [a["fill"] for a in squares]
+
+        drawing, names, fills = rows(style="flat")
+        self.assertIn("bolt M10", names)
+        self.assertEqual(len(names), len(set(names)), "copies have one row")
+        self.assertEqual(rows(style="outline", highlight={"bolt": "blue"})[1:], (["bolt M10"], ["#3b7dd8"]))
+        drawing, names, _ = rows(style="outline")
+        self.assertEqual(names, [])
+        self.assertIn("legend.empty", [d.code for d in drawing.diagnostics])
+        self.assertTrue(burin.illustration({"burin": "illustration", "version": 1, "parts": [{"file": "a.step"}], "legend": True})["legend"])
 
 
 class Textures(unittest.TestCase):

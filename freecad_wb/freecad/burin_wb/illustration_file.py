@@ -115,7 +115,7 @@ def _apart(burin, job, names):
         data["details"] = [{**one, "select": named(one["select"])} if "select" in one else one for one in said["details"]]
     if said.get("items"):
         data["items"] = _item_names(burin, job, names)
-    data.update({key: job.options[key] for key in ("callouts", "parts_list") if key in job.options})
+    data.update({key: job.options[key] for key in ("callouts", "parts_list", "legend") if key in job.options})
     return data
 
 

@@ -199,7 +199,7 @@ def _apart(burin, told, matches, notes):
     def paths(selectors, what):
         return _selected(burin, [selectors] if isinstance(selectors, str) else selectors, selectable, said, what)
 
-    values = {"Callouts": told["callouts"], "PartsList": told["parts_list"], "Explode": told["explode"] is not None,
+    values = {"Callouts": told["callouts"], "PartsList": told["parts_list"], "Legend": told["legend"], "Explode": told["explode"] is not None,
               "Sections": [section.text_of(_section(one, paths)) for one in told["sections"]],
               "ItemNumbers": _item_numbers(told["items"], selectable), "Views": told["views"],
               "ProjectionMethod": next(word for word, kernels in details.METHODS.items() if kernels == told["projection"]),

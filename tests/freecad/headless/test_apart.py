@@ -219,7 +219,7 @@ class Apart(Case):
         self.assertEqual(content(obj.Drawing), before)
 
     def test_illustration_files_carry_it_there_and_back(self):
-        obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.75, Callouts=True, PartsList=True,
+        obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.75, Callouts=True, PartsList=True, Legend=True,
                                 Sections=["-x=30", section.text_of(section.plane(V(0, -1, 0), -20, ["Pump.Bolt", "Pump.Bolt001"]))])
         explosion.set_steps(obj, asking.find_steps(obj)[0])
         self.doc.recompute()
@@ -230,13 +230,13 @@ class Apart(Case):
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
         self.assertEqual(data["section"][1]["exclude"], ["/Bolt", "/Bolt001"])
-        self.assertEqual((data["callouts"], data["parts_list"], data["explode"]["factor"]), (True, "sheet", 0.75))
+        self.assertEqual((data["callouts"], data["parts_list"], data["legend"], data["explode"]["factor"]), (True, "sheet", True, 0.75))
         self.assertEqual(data["items"], {"2": "Gone", "5": "Bolt", "6": "Plate", "7": "Lid"})
         kernels = burin().draw(path)
         self.assertEqual([(i["number"], i["name"]) for i in kernels.items], [(5, "Bolt"), (6, "Plate"), (7, "Lid")])
         self.assertEqual(len(kernels.arrays()["first"]), len(burin().Drawing.load(obj.Drawing).arrays()["first"]))
         read = illustration_file.read(self.doc, path)
-        for name in ("Explode", "ExplodeFactor", "Callouts", "PartsList", "Sections"):
+        for name in ("Explode", "ExplodeFactor", "Callouts", "PartsList", "Legend", "Sections"):
             self.assertEqual(getattr(read, name), getattr(obj, name), name)
         self.assertEqual(dict(read.ItemNumbers), dict(obj.ItemNumbers))
         self.assertEqual(make_job(read).fingerprint(), make_job(obj).fingerprint())

@@ -20,6 +20,8 @@ def options_of(obj, sources, notes):
         options["callouts"] = True
     if obj.PartsList:
         options["parts_list"] = "sheet"
+    if obj.Legend:
+        options["legend"] = True
     if options and dict(obj.ItemNumbers):
         said["items"] = item_numbers.for_kernel(dict(obj.ItemNumbers))
     said.update(details.sheet_of(obj, sources, notes))

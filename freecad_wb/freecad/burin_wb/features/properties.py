@@ -54,6 +54,7 @@ ILLUSTRATION = (
         "Places that are drawn again, larger: {\"select\": [object names]} or {\"at\": [x, y, z], \"radius\": mm}, with \"scale\", \"letter\""),
     Row("Callouts", "App::PropertyBool", "Items", False, "A number with a leader at each item"),
     Row("PartsList", "App::PropertyBool", "Items", False, "A list of the items above the lower right corner"),
+    Row("Legend", "App::PropertyBool", "Items", False, "The colours of parts with their names; in which corner: the style key callout.legend"),
     Row("ItemNumbers", "App::PropertyMap", "Items", {}, "Numbers and the names of what has them; kept whatever parts come and go"),
     Row("Drawing", "App::PropertyFileIncluded", "Result", "", "The drawing (JSON), kept in the document"),
     Row("Picture", "App::PropertyFileIncluded", "Result", "", "The drawing as SVG, kept in the document"),

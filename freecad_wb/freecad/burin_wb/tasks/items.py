@@ -27,6 +27,9 @@ class ItemsPanel(Panel):
                                   tr("A list of the items above the lower right corner"), lambda on: self.change("PartsList", on), "parts-list")
         self.column.addWidget(self.callouts)
         self.column.addWidget(self.list)
+        self.legend = widgets.check(self.obj.Legend, tr("Legend of colours on the sheet"), tr("The colours of parts with their names"),
+                                    lambda on: self.change("Legend", on), "legend")
+        self.column.addWidget(self.legend)
         self.table = widgets.table([tr("Name"), tr("No."), tr("Quantity")],
                                    (tr("A row lights up its objects in the 3-D view; objects that are selected there mark their rows"),
                                     tr("Another number; an item that has it gets this one"), tr("How many objects are of this item")), "items")

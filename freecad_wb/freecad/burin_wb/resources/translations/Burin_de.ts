@@ -268,6 +268,10 @@
       <translation>Links</translation>
     </message>
     <message>
+      <source>Legend of colours on the sheet</source>
+      <translation>Farblegende auf dem Blatt</translation>
+    </message>
+    <message>
       <source>Letter</source>
       <translation>Zeichen</translation>
     </message>
@@ -536,6 +540,10 @@
       <translation>Die Achse des Modells, zu der die Ebene quer steht</translation>
     </message>
     <message>
+      <source>The colours of parts with their names</source>
+      <translation>Die Farben der Teile mit ihren Namen</translation>
+    </message>
+    <message>
       <source>The drawing as it is now; a click shows it large</source>
       <translation>Die Zeichnung, wie sie jetzt ist; ein Klick zeigt sie groß</translation>
     </message>
@@ -674,6 +682,10 @@
     <message>
       <source>as the others</source>
       <translation>wie die anderen</translation>
+    </message>
+    <message>
+      <source>black lines over three tints of one spot ink, for two printing plates</source>
+      <translation>schwarze Linien über drei Tönen einer Schmuckfarbe, für zwei Druckplatten</translation>
     </message>
     <message>
       <source>bold: few broad strokes that swell from white to almost black</source>
