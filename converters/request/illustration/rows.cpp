@@ -98,7 +98,7 @@ Json unless_empty(Json list) {
 Json write_explosion(const IllustrationFile& file) {
   if (file.request.explode.steps.empty()) return {};
   Json explode = write_explode(file.request.explode);
-  const std::vector<std::string>& factor = given_texts(file.request.options, "explode_factor");
+  const std::vector<std::string> factor = given_texts(file.request.options, "explode_factor");
   if (!factor.empty()) {
     explode["factor"] = written_value(option_named("explode_factor"), factor.back());
   }
@@ -106,7 +106,7 @@ Json write_explosion(const IllustrationFile& file) {
 }
 
 Json write_parts_list(const IllustrationFile& file) {
-  const std::vector<std::string>& lists = given_texts(file.request.options, "parts_list");
+  const std::vector<std::string> lists = given_texts(file.request.options, "parts_list");
   return std::ranges::find(lists, "sheet") == lists.end() ? Json() : Json("sheet");
 }
 

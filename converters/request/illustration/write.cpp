@@ -50,7 +50,7 @@ Json style_value(const std::string& key, const std::string& text) {
 Json write_style(const Request& options) {
   const std::string named = asked_texts(option_named("style"), options).back();
   std::vector<std::string> changes = given_texts(options, "set");
-  for (const std::string& light : given_texts(options, "light")) {
+  for (const auto lights = given_texts(options, "light"); const std::string& light : lights) {
     changes.push_back("tone.light=" + light);
   }
   if (changes.empty()) return named;
@@ -64,12 +64,12 @@ Json write_style(const Request& options) {
 
 Json write_sections(const Request& options) {
   Json sections = Json::array();
-  for (const std::string& section : given_texts(options, "section")) {
+  for (const auto given = given_texts(options, "section"); const std::string& section : given) {
     sections.push_back(Json::object());
     sections.back()["plane"] = section;
   }
   const auto numbers = [&](const char* option) {
-    const std::vector<std::string>& texts = given_texts(options, option);
+    const std::vector<std::string> texts = given_texts(options, option);
     return texts.empty() ? Json() : Json::parse("[" + texts.back() + "]");
   };
   if (const Json n = numbers("section_box"); !n.is_null()) {
@@ -80,7 +80,7 @@ Json write_sections(const Request& options) {
     sections.push_back(Json::object());
     sections.back()["around"] = {{"center", {n[0], n[1], n[2]}}, {"radius", n[3]}};
   }
-  const std::vector<std::string>& uncut = given_texts(options, "section_exclude");
+  const std::vector<std::string> uncut = given_texts(options, "section_exclude");
   for (Json& section : sections) {
     if (uncut.empty()) continue;
     section["exclude"] = uncut == std::vector<std::string>{"none"} ? Json::array() : Json(uncut);
