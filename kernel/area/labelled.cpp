@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <unordered_map>
+#include <span>
 #include <utility>
 
 namespace burin::detail {
@@ -17,6 +16,11 @@ namespace {
 constexpr std::size_t kGrain = 64;
 /// Paper mm^2: in smaller triangles a border is not looked for, and one place decides.
 constexpr double kLeastDivided = 0.02;
+/// Paper mm: in a triangle whose sides are all shorter, and which looks like those beyond its sides
+/// without a line, one place decides.
+constexpr double kShort = 1;
+/// Paper mm: in a triangle of less height three places decide, along its longest side.
+constexpr double kThin = 0.4;
 /// Halvings on the way from one node to the next: a thousandth of it.
 constexpr int kHalvings = 10;
 /// Triangles may grow in number by this factor through all rounds.
@@ -41,6 +45,18 @@ double inset_of(const Corners& c, double slack) {
   return height > 0 ? 3 * slack / height : 1;  // the middle is a third of each height away
 }
 
+/// From which corner it goes to the next one.
+std::size_t longest_side(const Corners& c) {
+  const std::array lengths{glm::distance(c[0], c[1]), glm::distance(c[1], c[2]),
+                           glm::distance(c[2], c[0])};
+  return static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
+}
+
+double longest_of(const Corners& c) {
+  const std::size_t i = longest_side(c);
+  return glm::distance(c[i], c[(i + 1) % 3]);
+}
+
 /// Places just inside the triangle: on its sides both neighbours may be seen.
 Round around(const Corners& c, double slack) {
   constexpr double kInset = 0.04;
@@ -54,24 +70,23 @@ Round around(const Corners& c, double slack) {
   return out;
 }
 
-struct Labels {
-  AreaLabel middle;
-  std::array<AreaLabel, 6> round;
-
-  bool mixed() const {
-    return std::ranges::any_of(round, [&](const AreaLabel& l) { return l != middle; });
-  }
-  /// What most of them are; of equally many the middle's, then the first's.
-  AreaLabel most() const {
-    AreaLabel best = middle;
-    std::ptrdiff_t times = 1 + std::ranges::count(round, middle);
-    for (const AreaLabel& label : round) {
-      const std::ptrdiff_t n = std::ranges::count(round, label);
-      if (n > times) best = label, times = n;
-    }
-    return best;
-  }
+/// What is seen in a triangle.
+struct Found {
+  AreaLabel middle, label;
+  bool mixed = false;
 };
+
+/// What most places have; of equally many the middle's label, then the first's.
+Found found_of(const AreaLabel& middle, std::span<const AreaLabel> round) {
+  Found out{middle, middle, false};
+  std::ptrdiff_t times = 1 + std::ranges::count(round, middle);
+  for (const AreaLabel& label : round) {
+    out.mixed = out.mixed || label != middle;
+    const std::ptrdiff_t n = std::ranges::count(round, label);
+    if (n > times) out.label = label, times = n;
+  }
+  return out;
+}
 
 /// Borders within one triangle, as pieces from end to end.
 using Pieces = std::vector<std::array<Vec2, 2>>;
@@ -84,11 +99,7 @@ class TriangleBorder {
         middle_(middle_of(corners)),
         inset_(std::clamp(inset_of(corners, slack), kInset, 0.5)),
         label_at_(label_at) {
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
-    }
-    n_ = std::clamp(static_cast<int>(std::ceil(longest / kStep)), kFewest, kMost);
+    n_ = std::clamp(static_cast<int>(std::ceil(longest_of(corners) / kStep)), kFewest, kMost);
     for (int j = 0; j <= n_; ++j) {
       for (int i = 0; i + j <= n_; ++i) labels_.push_back(label_at_(place({i, j})));
     }
@@ -169,48 +180,129 @@ class TriangleBorder {
   Pieces pieces_;
 };
 
-}  // namespace
-
-namespace {
-
-/// What was found in triangles of the round before, most of which are there again.
-class Known {
+/// Labels the triangles of a network, round by round.
+class Labeller {
  public:
-  struct Found {
-    AreaLabel label;
-    bool mixed = false;
-  };
+  Labeller(const LabelAt& label_at, const PartitionOptions& options, const RunContext& context)
+      : label_at_(label_at), options_(options), context_(context) {}
 
-  const Found* find(const Corners& corners) const {
-    const auto it = found_.find(key(corners));
-    return it == found_.end() ? nullptr : &it->second;
-  }
-
-  void keep(const SheetMesh& mesh, const std::vector<Found>& found) {
-    found_.clear();
-    for (std::size_t t = 0; t < found.size(); ++t) {
-      found_.emplace(key(corners_of(mesh, t)), found[t]);
+  LabelledMesh run(Network& network) {
+    std::vector<std::array<std::uint32_t, 2>> ends;
+    ends.reserve(network.segments.size());
+    for (const Segment& s : network.segments) ends.push_back(s.ends);
+    triangulation_.add(network.points, ends);
+    look();
+    const std::size_t most = kMostGrowth * found_.size();
+    for (int round = 0; round < options_.rounds && found_.size() < most; ++round) {
+      if (!divide(network)) break;
+      look();
     }
+    LabelledMesh out;
+    for (std::size_t t = 0; t < found_.size(); ++t) {
+      out.labels.push_back(found_[t].label);
+      if (!found_[t].mixed) continue;
+      ++out.mixed;
+      out.mixed_area += area_of(mesh_, t);
+    }
+    out.mesh = std::move(mesh_);
+    return out;
   }
 
  private:
-  using Key = std::array<double, 6>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::size_t h = 0;
-      for (const double x : key) h = h * 1099511628211U + std::hash<double>()(x);
-      return h;
-    }
-  };
-
-  /// The same for whichever corner is the first.
-  static Key key(Corners c) {
-    const auto less = [](Vec2 a, Vec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end(), less), c.end());
-    return {c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y};
+  template <class Each>
+  void for_each_new(const Each& each) {
+    parallel_for(
+        mesh_.triangles.size(), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t t = begin; t < end; ++t) {
+            if (mesh_.before[t] < 0) each(t);
+          }
+        },
+        &context_);
   }
 
-  std::unordered_map<Key, Found, Hash> found_;
+  /// Looks into the triangles that are new.
+  void look() {
+    mesh_ = triangulation_.mesh();
+    std::vector<Found> found(mesh_.triangles.size());
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      if (const std::int32_t before = mesh_.before[t]; before >= 0) {
+        found[t] = found_[static_cast<std::size_t>(before)];
+      }
+    }
+    found_ = std::move(found);
+    for_each_new([&](std::size_t t) {
+      const AreaLabel middle = label_at_(middle_of(corners_of(mesh_, t)));
+      found_[t] = {middle, middle, false};
+    });
+    for_each_new([&](std::size_t t) { look_round(t); });
+  }
+
+  void look_round(std::size_t t) {
+    if (area_of(mesh_, t) < kLeastDivided) return;
+    const Corners corners = corners_of(mesh_, t);
+    const AreaLabel middle = found_[t].middle;
+    const std::size_t side = longest_side(corners);
+    const double longest = glm::distance(corners[side], corners[(side + 1) % 3]);
+    if (longest < kShort && as_beside(t)) return;
+    const Round places = around(corners, options_.slack);
+    std::array<AreaLabel, 6> labels;
+    if (2 * area_of(mesh_, t) < kThin * longest) {
+      labels[0] = label_at_(places[2 * side]);
+      labels[1] = label_at_(places[2 * ((side + 1) % 3)]);
+      found_[t] = found_of(middle, std::span(labels).first(2));
+      return;
+    }
+    std::ranges::transform(places, labels.begin(), label_at_);
+    found_[t] = found_of(middle, labels);
+  }
+
+  /// Whether the middles of the triangles beyond sides without a line are like its own.
+  bool as_beside(std::size_t t) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t beyond = mesh_.beyond[t][i];
+      if (beyond < 0 || mesh_.constrained[t][i]) continue;
+      if (found_[static_cast<std::size_t>(beyond)].middle != found_[t].middle) return false;
+    }
+    return true;
+  }
+
+  /// Adds the borders within mixed triangles to the network; whether there are any.
+  bool divide(Network& network) {
+    std::vector<std::size_t> mixed;
+    for (std::size_t t = 0; t < found_.size(); ++t) {
+      if (found_[t].mixed) mixed.push_back(t);
+    }
+    std::vector<Pieces> pieces(mixed.size());
+    parallel_for(
+        mixed.size(), 1,
+        [&](std::size_t i, std::size_t) {
+          pieces[i] = TriangleBorder(corners_of(mesh_, mixed[i]), label_at_, options_.slack).find();
+        },
+        &context_);
+    std::vector<Vec2> points;
+    std::vector<std::array<std::uint32_t, 2>> ends;
+    const auto first = static_cast<std::uint32_t>(network.points.size());
+    for (const Pieces& of_one : pieces) {
+      for (const auto& [a, b] : of_one) {
+        const auto at = static_cast<std::uint32_t>(points.size());
+        points.push_back(a);
+        points.push_back(b);
+        ends.push_back({at, at + 1});
+        network.segments.push_back({{first + at, first + at + 1}, -1});
+      }
+    }
+    network.points.insert(network.points.end(), points.begin(), points.end());
+    triangulation_.add(points, ends);
+    return !points.empty();
+  }
+
+  const LabelAt& label_at_;
+  const PartitionOptions& options_;
+  const RunContext& context_;
+  SheetTriangulation triangulation_;
+  SheetMesh mesh_;
+  std::vector<Found> found_;
 };
 
 }  // namespace
@@ -223,61 +315,7 @@ double area_of(const SheetMesh& mesh, std::size_t t) {
 
 LabelledMesh label_triangles(Network& network, const LabelAt& label_at,
                              const PartitionOptions& options, const RunContext& context) {
-  LabelledMesh out;
-  Known known;
-  std::size_t most = 0;
-  for (int round = 0;; ++round) {
-    std::vector<std::array<std::uint32_t, 2>> ends;
-    ends.reserve(network.segments.size());
-    for (const Segment& s : network.segments) ends.push_back(s.ends);
-    out.mesh = triangulate_sheet(network.points, ends);
-    const std::size_t n = out.mesh.triangles.size();
-    if (round == 0) most = kMostGrowth * n;
-    const bool divides = round < options.rounds && n < most;
-    std::vector<Known::Found> found(n);
-    std::vector<Pieces> pieces(n);
-    parallel_for(
-        n, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t t = begin; t < end; ++t) {
-            const Corners corners = corners_of(out.mesh, t);
-            if (const Known::Found* before = known.find(corners)) {
-              found[t] = *before;
-            } else {
-              Labels labels{label_at(middle_of(corners)), {}};
-              labels.round.fill(labels.middle);
-              if (area_of(out.mesh, t) >= kLeastDivided) {
-                std::ranges::transform(around(corners, options.slack), labels.round.begin(),
-                                       label_at);
-              }
-              found[t] = {labels.most(), labels.mixed()};
-            }
-            if (divides && found[t].mixed) {
-              pieces[t] = TriangleBorder(corners, label_at, options.slack).find();
-            }
-          }
-        },
-        &context);
-    out.labels.clear();
-    out.mixed = 0;
-    out.mixed_area = 0;
-    for (std::size_t t = 0; t < n; ++t) {
-      out.labels.push_back(found[t].label);
-      if (!found[t].mixed) continue;
-      ++out.mixed;
-      out.mixed_area += area_of(out.mesh, t);
-    }
-    if (!divides || out.mixed == 0) return out;
-    known.keep(out.mesh, found);
-    for (const Pieces& of_one : pieces) {
-      for (const auto& [a, b] : of_one) {
-        const auto first = static_cast<std::uint32_t>(network.points.size());
-        network.points.push_back(a);
-        network.points.push_back(b);
-        network.segments.push_back({{first, first + 1}, -1});
-      }
-    }
-  }
+  return Labeller(label_at, options, context).run(network);
 }
 
 }  // namespace burin::detail

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace burin {
@@ -45,48 +46,81 @@ double length(const SheetMesh& mesh, std::size_t t, std::size_t i) {
   return glm::distance(mesh.points[a], mesh.points[b]);
 }
 
+/// How wide a rectangle of that area and border is; of a square where there is none.
+double width_as_rectangle(double area, double border) {
+  const double long_ones = border * border - 16 * area;
+  return long_ones > 0 ? 4 * area / (border + std::sqrt(long_ones)) : std::sqrt(area);
+}
+
+bool differ_in_tone_alone(const AreaLabel& a, const AreaLabel& b) {
+  return a.part >= 0 && a.part == b.part && a.face == b.face;
+}
+
 /// Narrow pieces take the label of the neighbour with the longest common border; whether any did.
-bool clean(LabelledMesh& labelled, double least_width) {
+bool clean(LabelledMesh& labelled, const PartitionOptions& options) {
   struct Size {
     double area = 0, border = 0;
-    std::map<std::uint32_t, double> beside;
     double width() const { return 2 * area / border; }
+  };
+  struct Beside {
+    std::uint32_t piece, other;
+    double border;
   };
   const SheetMesh& mesh = labelled.mesh;
   const std::vector<std::uint32_t> pieces = pieces_of(labelled);
-  std::map<std::uint32_t, Size> sizes;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  std::vector<Size> sizes(pieces.size());  // by the lowest triangle
+  std::vector<Beside> beside;
+  for (std::uint32_t t = 0; t < pieces.size(); ++t) {
     Size& size = sizes[pieces[t]];
     size.area += detail::area_of(mesh, t);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t n = mesh.beyond[t][i];
-      if (n >= 0 && pieces[static_cast<std::size_t>(n)] == pieces[t]) continue;
+      const std::uint32_t other = n < 0 ? pieces[t] : pieces[static_cast<std::size_t>(n)];
+      if (n >= 0 && other == pieces[t]) continue;
       const double l = length(mesh, t, i);
       size.border += l;
-      if (n >= 0) size.beside[pieces[static_cast<std::size_t>(n)]] += l;
+      if (n >= 0) beside.push_back({pieces[t], other, l});
     }
   }
-  std::map<std::uint32_t, AreaLabel> taken;
-  for (const auto& [piece, size] : sizes) {
-    if (size.width() >= least_width) continue;
+  std::ranges::stable_sort(beside, {}, [](const Beside& b) { return std::pair(b.piece, b.other); });
+  std::vector<std::uint32_t> taken(pieces.size());
+  std::iota(taken.begin(), taken.end(), 0U);
+  bool any = false;
+  for (std::size_t i = 0; i < beside.size();) {
+    const std::uint32_t piece = beside[i].piece;
+    const Size& size = sizes[piece];
+    const bool narrow = size.width() < options.least_width;
+    const bool speck = width_as_rectangle(size.area, size.border) < options.least_tone_width;
     double longest = 0;
-    for (const auto& [other, border] : size.beside) {
+    while (i < beside.size() && beside[i].piece == piece) {
+      const std::uint32_t other = beside[i].other;
+      double border = 0;
+      for (; i < beside.size() && beside[i].piece == piece && beside[i].other == other; ++i) {
+        border += beside[i].border;
+      }
+      const bool counts =
+          narrow || (speck && differ_in_tone_alone(labelled.labels[piece], labelled.labels[other]));
       // Of two narrow ones side by side the smaller goes to the larger one.
-      const bool wide = sizes[other].width() >= least_width || sizes[other].area > size.area;
-      if (!wide || border <= longest) continue;
+      const bool wide =
+          (narrow && sizes[other].width() >= options.least_width) || sizes[other].area > size.area;
+      if (!counts || !wide || border <= longest) continue;
       longest = border;
-      taken[piece] = labelled.labels[other];
+      taken[piece] = other;
     }
+    any = any || longest > 0;
   }
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (const auto it = taken.find(pieces[t]); it != taken.end()) labelled.labels[t] = it->second;
+  if (!any) return false;
+  const std::vector<AreaLabel> labels = labelled.labels;
+  for (std::uint32_t t = 0; t < pieces.size(); ++t) {
+    if (taken[pieces[t]] != pieces[t]) labelled.labels[t] = labels[taken[pieces[t]]];
   }
-  return !taken.empty();
+  return true;
 }
 
 class RingWalk {
  public:
-  RingWalk(const LabelledMesh& labelled, const detail::NearSegments& near, double reach)
+  /// `near`: none where no line has a name.
+  RingWalk(const LabelledMesh& labelled, const detail::NearSegments* near, double reach)
       : mesh_(labelled.mesh), pieces_(pieces_of(labelled)), near_(near), reach_(reach) {
     numbers_.assign(mesh_.triangles.size(), -1);
     walked_.assign(mesh_.triangles.size(), {});
@@ -130,8 +164,8 @@ class RingWalk {
       const std::int32_t n = mesh_.beyond[t][i];
       out.corners.push_back(a);
       out.beyond.push_back(n < 0 ? -1 : number(static_cast<std::uint32_t>(n)));
-      out.lines.push_back(mesh_.constrained[t][i]
-                              ? near_.line_along(mesh_.points[a], mesh_.points[b], reach_)
+      out.lines.push_back(near_ && mesh_.constrained[t][i]
+                              ? near_->line_along(mesh_.points[a], mesh_.points[b], reach_)
                               : -1);
       i = (i + 1) % 3;  // the side that begins at b
       while (!is_border(t, i)) {
@@ -155,7 +189,7 @@ class RingWalk {
 
   const SheetMesh& mesh_;
   std::vector<std::uint32_t> pieces_;
-  const detail::NearSegments& near_;
+  const detail::NearSegments* near_;
   double reach_;
   std::vector<std::int32_t> numbers_;
   std::vector<std::array<bool, 3>> walked_;
@@ -223,10 +257,13 @@ Partition partition(const Box2& sheet, std::span<const BorderLine> lines, const 
   detail::Network network = detail::make_network(sheet, lines, options);
   context.check();
   LabelledMesh labelled = detail::label_triangles(network, label_at, options, context);
-  for (int k = 0; k < kMostCleaned && clean(labelled, options.least_width); ++k) context.check();
-  const detail::NearSegments near(network);
+  for (int k = 0; k < kMostCleaned && clean(labelled, options); ++k) context.check();
+  std::optional<detail::NearSegments> near;
+  if (std::ranges::any_of(lines, [](const BorderLine& l) { return l.line >= 0; })) {
+    near.emplace(network);
+  }
   Partition out;
-  out.regions = RingWalk(labelled, near, 2 * options.weld).walk();
+  out.regions = RingWalk(labelled, near ? &*near : nullptr, 2 * options.weld).walk();
   out.points = std::move(labelled.mesh.points);
   out.mixed = labelled.mixed;
   out.mixed_area = labelled.mixed_area;

@@ -8,6 +8,7 @@
 #include "zero_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -18,7 +19,7 @@ namespace {
 constexpr double kAboveLevel = kEdgeOn;
 
 /// Steps towards the zero inside a triangle: each leaves a tenth of the way or less.
-constexpr int kSettlings = 3;
+constexpr int kSettlings = 3, kBorderSettlings = 1;
 /// Square of the cosines' difference below which a triangle is as light all over: there is nowhere
 /// to step to.
 constexpr double kLeastSlope = 1e-18;
@@ -30,25 +31,52 @@ Vec3 bary_on(HalfEdge h, double share) {
   return bary;
 }
 
-/// normal . light - level; `sign` -1: of the back.
+/// normal . light - level.
 class Isophote : public ZeroSet {
  public:
-  Isophote(const ProxyMesh& proxy, const Camera& camera, Vec3 light, double level, double sign,
-           const ExactAt& exact)
-      : ZeroSet(proxy, camera), light_(sign * light), level_(level), exact_(exact) {
+  Isophote(const ProxyMesh& proxy, const Camera& camera, const IsophoteOptions& options)
+      : ZeroSet(proxy, camera), exact_(options.exact), border_(options.border) {}
+
+  /// `back`: the light falls on the backs.
+  void look(Vec3 light, double level, bool back) {
+    light_ = back ? -light : light;
+    level_ = level;
     for (std::size_t w = 0; w < g_.size(); ++w) {
-      g_[w] = glm::dot(proxy.wedge_normal[w], light_) - level_;
+      g_[w] = glm::dot(proxy_->wedge_normal[w], light_) - level_;
+    }
+  }
+  /// Leaves out triangles that nobody can see.
+  void leave_far_side(const FacingFunction& facing, bool back) {
+    std::vector<bool> away(proxy_->wedge_normal.size());
+    for (std::uint32_t w = 0; w < away.size(); ++w) {
+      const Vec3& n = proxy_->wedge_normal[w];
+      away[w] = facing(proxy_->wedge_position(w), back ? -n : n) <= 0;
+    }
+    decided_.assign(proxy_->wedges.size(), 0);
+    for (std::size_t f = 0; f < decided_.size(); ++f) {
+      const Triangle& w = proxy_->wedges[f];
+      if (away[w[0]] && away[w[1]] && away[w[2]]) decided_[f] = -1;
     }
   }
 
-  bool is_straight() const override { return false; }
+  bool is_straight() const override { return border_; }
+  bool is_straight(std::uint32_t face, double length) const override {
+    if (!border_) return false;
+    const Triangle& w = proxy_->wedges[face];
+    const Vec3 &a = proxy_->wedge_normal[w[0]], &b = proxy_->wedge_normal[w[1]],
+               &c = proxy_->wedge_normal[w[2]];
+    const double bend = 1 - std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
+    // An arc of that bend is off its chord by an eighth of it.
+    return length * std::sqrt(2 * std::max(bend, 0.0)) < 4 * kRoundness;
+  }
   Vec3 between(const RoundedFacet& facet, Vec3 bary) const override {
     const std::uint32_t face = facet.face();
     const Triangle& w = proxy_->wedges[face];
     Vec3 across(g_[w[0]], g_[w[1]], g_[w[2]]);
     across -= (across.x + across.y + across.z) / 3;
     const double slope = glm::dot(across, across);  // of what is linear; the rest is small
-    for (int k = 0; k < kSettlings && slope > kLeastSlope; ++k) {
+    const int settlings = border_ ? kBorderSettlings : kSettlings;
+    for (int k = 0; k < settlings && slope > kLeastSlope; ++k) {
       bary -= (glm::dot(normal_at(face, bary), light_) - level_) / slope * across;
       bary = glm::max(bary, Vec3(0));
       bary /= bary.x + bary.y + bary.z;
@@ -64,7 +92,8 @@ class Isophote : public ZeroSet {
       const Vec3 normal = normal_at(face_of(one), bary_on(one, back ? 1 - t : t));
       return glm::dot(normal, light_) - level_;
     };
-    return bracketed_zero(over, g_[a], g_[b], {.bracket = 1e-9, .value = 1e-12});
+    return border_ ? bracketed_zero(over, g_[a], g_[b], {.bracket = 1e-4, .value = 1e-6})
+                   : bracketed_zero(over, g_[a], g_[b], {.bracket = 1e-9, .value = 1e-12});
   }
   Vec3 on_edge(HalfEdge h, double t) const override {
     if (!exact_) return ZeroSet::on_edge(h, t);
@@ -83,9 +112,10 @@ class Isophote : public ZeroSet {
     return exact_ ? exact_(face, bary).normal : proxy_->normal(face, bary);
   }
 
-  Vec3 light_;
-  double level_;
+  Vec3 light_{0};
+  double level_ = 0;
   const ExactAt& exact_;
+  bool border_;
 };
 
 double paper_length(const Camera& camera, const Curve3& curve) {
@@ -143,25 +173,28 @@ std::int32_t step_of(const Isophotes& isophotes, Vec3 normal) {
 
 std::vector<Curve3> trace_isophotes(const ProxyMesh& proxy, std::int32_t part,
                                     const Isophotes& isophotes, const Camera& camera,
-                                    const RunContext& context, const ExactAt& exact) {
+                                    const RunContext& context, const IsophoteOptions& options) {
   const Vec3 light = normalize_or(isophotes.light, camera.direction());
   const FacingFunction facing(camera);
   const auto& closed = proxy.topology.component_closed;
   const bool any_open = std::ranges::find(closed, 0) != closed.end();
   std::vector<Curve3> out;
-  for (const double level : isophotes.levels) {
-    for (const double sign : {1.0, -1.0}) {
-      if (sign < 0 && !any_open) continue;
-      const Isophote zeros(proxy, camera, light, level, sign, exact);
+  if (isophotes.levels.empty() || proxy.mesh.triangles.empty()) return out;
+  Isophote zeros(proxy, camera, options);
+  for (const bool back : {false, true}) {
+    if (back && !any_open) continue;
+    if (options.border) zeros.leave_far_side(facing, back);
+    for (const double level : isophotes.levels) {
+      zeros.look(light, level, back);
       trace_zeros(zeros, true, context, [&](ZeroLine&& line) {
-        if (sign < 0 && proxy.closed(line.first_face)) return;
+        if (back && proxy.closed(line.first_face)) return;
         Curve3 curve = line.take_curve(zeros, LineClass::Isophote, part);
         std::vector<std::uint8_t> none(curve.faces.size(), 0);
         follow_surface(zeros, line.chords, curve, none);
         if (curve.closed && paper_length(camera, curve) < kSpeckLength) return;
-        if (!exact) fair(curve, camera, proxy);
-        hide_far_side(facing, sign, curve);
-        if (!proxy.source_face.empty()) {
+        if (!options.exact && !options.border) fair(curve, camera, proxy);
+        hide_far_side(facing, back ? -1 : 1, curve);
+        if (!options.border && !proxy.source_face.empty()) {
           curve.source.face = main_face(source_faces(curve, proxy, camera));
         }
         out.push_back(std::move(curve));

@@ -69,14 +69,18 @@ class Tracer {
   /// Follows the line from triangle `f` on; true where it came back to `f`.
   bool follow(std::uint32_t f, ZeroLine& line) {
     const HalfEdge first = entry_of(zeros_, f);
-    add(zeros_.crossing(first), first, line);
+    const ZeroCrossing start = zeros_.crossing(first);
+    add(start, first, line);
+    double share = start.share;
+    HalfEdge entry = first;
     for (std::uint32_t at = f;;) {
       mark(at);
       const HalfEdge out = exit_of(zeros_, at);
-      step(entry_of(zeros_, at), out, line);
+      share = 1 - step(entry, share, out, line);
       const HalfEdge in = beyond(zeros_, out);
       if (in == kNoHalfEdge) return false;
       at = face_of(in);
+      entry = in;
       if (at == f) return true;
       // At a tip both sides of an edge may have wedges of their own, and lines may run into
       // another.
@@ -84,16 +88,14 @@ class Tracer {
     }
   }
 
-  /// The way out of a triangle that the line came into by `entry`.
-  void step(HalfEdge entry, HalfEdge exit, ZeroLine& line) {
+  /// The way out of a triangle that the line came into at a share of `entry`; the share of `exit`.
+  double step(HalfEdge entry, double share, HalfEdge exit, ZeroLine& line) {
     const ZeroCrossing zero = zeros_.crossing(exit);
-    if (zero.position == line.points.back()) return;
+    if (zero.position == line.points.back()) return zero.share;
     line.faces.push_back(static_cast<std::int32_t>(face_of(exit)));
-    if (with_chords_) {
-      line.chords.push_back(
-          {bary_on(entry, zeros_.crossing(entry).share), bary_on(exit, zero.share)});
-    }
+    if (with_chords_) line.chords.push_back({bary_on(entry, share), bary_on(exit, zero.share)});
     add(zero, exit, line);
+    return zero.share;
   }
   void add(const ZeroCrossing& zero, HalfEdge h, ZeroLine& line) {
     line.points.push_back(zero.position);
@@ -157,11 +159,15 @@ void follow_surface(const ZeroSet& zeros, const std::vector<Chord>& chords, Curv
     const auto over = [&](double t) {
       return zeros.between(facet, glm::mix(chords[i].in, chords[i].out, t));
     };
-    double bulge = glm::distance(over(0.5), glm::mix(p, q, 0.5)) * zeros.camera().scale_at(p);
-    if (!zeros.is_straight()) {  // it may be an S
-      for (const double t : {0.25, 0.75}) {
-        const double off = glm::distance(over(t), glm::mix(p, q, t));
-        bulge = std::max(bulge, off * zeros.camera().scale_at(p));
+    const double scale = zeros.camera().scale_at(p);
+    double bulge = 0;
+    if (!zeros.is_straight(face, glm::distance(p, q) * scale)) {
+      bulge = glm::distance(over(0.5), glm::mix(p, q, 0.5)) * scale;
+      if (!zeros.is_straight()) {  // it may be an S
+        for (const double t : {0.25, 0.75}) {
+          const double off = glm::distance(over(t), glm::mix(p, q, t));
+          bulge = std::max(bulge, off * scale);
+        }
       }
     }
     const auto pieces = static_cast<std::size_t>(

@@ -56,6 +56,8 @@ class ZeroSet {
   virtual Vec3 between(const RoundedFacet& facet, Vec3 bary) const { return facet.at(bary); }
   /// Whether the zero between two edges is straight over the triangle.
   virtual bool is_straight() const { return true; }
+  /// Whether it is straight over one triangle where it is of a length (paper mm).
+  virtual bool is_straight(std::uint32_t /*face*/, double /*length*/) const { return false; }
   /// Unit normal on `h` (in its triangle) at a share of it.
   Vec3 normal(HalfEdge h, double share) const;
 

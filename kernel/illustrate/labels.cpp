@@ -3,6 +3,8 @@
 #include <burin/area/partition.h>
 #include <burin/illustrate/view_probe.h>
 
+#include "regions.h"
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -28,8 +30,8 @@ Box2 ink_on_sheet(const Drawing& drawing) {
 }
 
 // The visible lines that a part may end at.
-std::vector<BorderLine> borders_of(const Drawing& drawing) {
-  std::vector<BorderLine> lines;
+std::vector<LabelBorder> borders_of(const Drawing& drawing) {
+  std::vector<LabelBorder> lines;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       if (path.visible && path.kind < LineClass::Stroke) {
@@ -59,8 +61,12 @@ std::vector<Area> areas_of(const Partition& partition) {
 /// What is seen in a box of the sheet.
 class Looker {
  public:
-  Looker(const Drawing& drawing, const Box2& box, const Camera& camera, const RunContext& context)
-      : box_(box), lines_(borders_of(drawing)), camera_(camera), context_(context) {}
+  Looker(const LabelRequest& wanted, const RunContext& context)
+      : box_(wanted.box), camera_(wanted.camera), context_(context) {
+    for (const LabelBorder& border : wanted.borders) {
+      lines_.push_back({border.points, border.closed});
+    }
+  }
 
   LabelMap map(const Occluder& occluder) const {
     return make_label_map(box_, part_at(occluder), context_);
@@ -109,11 +115,21 @@ bool keep_only(LabelMap& map, std::vector<bool>& parts) {
 
 }  // namespace
 
-Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
-             const LabelRequest& wanted, const RunContext& context) {
-  const Box2 box = ink_on_sheet(drawing);
+LabelRequest::LabelRequest(const Drawing& drawing, std::shared_ptr<const Occluders> parts,
+                           const Camera& of, bool with_maps, bool with_areas)
+    : occluders(std::move(parts)),
+      camera(of),
+      box(ink_on_sheet(drawing)),
+      maps(with_maps),
+      areas(with_areas) {
+  if (areas || occluders->any_transparent()) borders = borders_of(drawing);
+}
+
+Labels label(const LabelRequest& wanted, const RunContext& context) {
+  const Box2& box = wanted.box;
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
-  const Looker looker(drawing, box, camera, context);
+  const Occluders& occluders = *wanted.occluders;
+  const Looker looker(wanted, context);
   Labels labels;
   if (wanted.maps) labels.seen = looker.map(occluders.solid());
   std::vector<bool> left = occluders.transparent();
@@ -126,10 +142,9 @@ Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& c
     labels.glass.push_back(std::move(map));
     std::ranges::move(looker.areas(glass, before), std::back_inserter(labels.areas));
   }
-  std::ranges::move(
-      wanted.regions ? find_regions(box, wanted.lines, occluders, camera, *wanted.regions, context)
-                     : looker.areas(occluders.solid()),
-      std::back_inserter(labels.areas));
+  if (wanted.areas) {
+    std::ranges::move(looker.areas(occluders.solid()), std::back_inserter(labels.areas));
+  }
   return labels;
 }
 

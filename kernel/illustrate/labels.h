@@ -2,15 +2,22 @@
 // Which parts are seen where on the sheet; internal to the module.
 
 #include <burin/annotate/label_map.h>
+#include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
 
 #include "occluders.h"
-#include "regions.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
+
+namespace burin {
+
+inline bool operator==(const Box2& a, const Box2& b) { return a.min == b.min && a.max == b.max; }
+
+}  // namespace burin
 
 namespace burin::detail {
 
@@ -25,19 +32,35 @@ struct Labels {
   std::optional<Area> shadow = {};
 };
 
-struct LabelRequest {
-  /// Whether maps are wanted: `Labels::seen`, and `glass`.
-  bool maps = true;
-  /// What the areas of solid parts are parted by; absent: by the lines that are drawn, into parts.
-  std::optional<RegionOptions> regions{};
-  /// Of the view, for regions.
-  SeenLines lines{};
+/// A drawn line that parts may end at.
+struct LabelBorder {
+  /// Paper mm.
+  std::vector<Vec2> points;
+  bool closed = false;
+  bool operator==(const LabelBorder&) const = default;
 };
 
-/// Of the stretch of the sheet that has ink. Cost: a ray a pixel and those of `partition`, and as
-/// many more for each map of what can be looked through: as many as such parts hide each other
-/// whole, one behind the other, 8 at the most. Throws Cancelled.
-Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
-             const LabelRequest& wanted, const RunContext& context);
+/// All that labels are made from.
+struct LabelRequest {
+  std::shared_ptr<const Occluders> occluders;
+  Camera camera;
+  /// The stretch of the sheet that has ink.
+  Box2 box{};
+  /// Where areas are made of them.
+  std::vector<LabelBorder> borders{};
+  /// `Labels::seen`, and `glass`.
+  bool maps = true;
+  /// Of solid parts, too.
+  bool areas = true;
+
+  LabelRequest(const Drawing& drawing, std::shared_ptr<const Occluders> parts, const Camera& of,
+               bool with_maps, bool with_areas);
+  bool operator==(const LabelRequest&) const = default;
+};
+
+/// Cost: a ray a pixel and those of `partition`, and as many more for each map of what can be
+/// looked through: as many as such parts hide each other whole, one behind the other, 8 at the
+/// most. Throws Cancelled.
+Labels label(const LabelRequest& wanted, const RunContext& context);
 
 }  // namespace burin::detail

@@ -1,6 +1,6 @@
 #include "regions.h"
 
-#include <burin/area/partition.h>
+#include <burin/base/parallel.h>
 #include <burin/drawing/bezier.h>
 #include <burin/feature/feature.h>
 #include <burin/illustrate/view_probe.h>
@@ -9,6 +9,7 @@
 #include "shadow/cast_shadow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -21,7 +22,7 @@ namespace {
 constexpr double kLineTolerance = 0.003;
 // Paper mm within which lines and rays agree on a border: chord errors.
 constexpr double kSlack = 0.04;
-// Paper mm between places of a line that are looked at.
+// Paper mm between places of a line that are looked at, at the most.
 constexpr double kLookStep = 1;
 // Paper mm along the line of sight within which a place of a surface is the one that is seen.
 constexpr double kSameDepth = 0.3;
@@ -49,9 +50,7 @@ class Borders {
 
   std::vector<BorderLine> get() const {
     std::vector<BorderLine> out;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      out.push_back({lines_[i], false, static_cast<std::int32_t>(i)});
-    }
+    for (const std::vector<Vec2>& line : lines_) out.push_back({line});
     return out;
   }
 
@@ -68,25 +67,29 @@ class Shown {
       : curve_(curve), probe_(probe), camera_(camera) {}
 
   void add_to(Borders& borders) {
+    bool looked = false;  // at the start of the stretch
     for (std::size_t i = 0; i < curve_.segment_count(); ++i) {
       const Vec3 &a = curve_.points[i], &b = curve_.points[curve_.next(i)];
-      const bool away = !curve_.self_hidden.empty() && curve_.self_hidden[i] != 0;
+      if (!curve_.self_hidden.empty() && curve_.self_hidden[i] != 0) {
+        if (looked) end_stretch(borders);
+        close(borders);
+        looked = false;
+        continue;
+      }
+      if (!std::exchange(looked, true)) {
+        before_ = seen(a);
+        stretch_ = {a};
+      }
       const double length = glm::distance(camera_.to_paper(a), camera_.to_paper(b));
       const auto pieces = static_cast<std::size_t>(std::clamp(length / kLookStep, 0.0, 1e4)) + 1;
-      bool before = !away && seen(a);
-      for (std::size_t k = 0; k < pieces; ++k) {
-        const auto at = [&](std::size_t j) {
-          return static_cast<double>(j) / static_cast<double>(pieces);
-        };
-        const bool after = !away && seen(glm::mix(a, b, at(k + 1)));
-        if (before || after) {
-          extend(glm::mix(a, b, at(k)), glm::mix(a, b, at(k + 1)));
-        } else {
-          close(borders);
-        }
-        before = after;
+      for (std::size_t k = 1; k <= pieces; ++k) {
+        const double t = static_cast<double>(k) / static_cast<double>(pieces);
+        stretch_.push_back(glm::mix(a, b, t));
+        length_ += length / static_cast<double>(pieces);
+        if (length_ >= 0.5 * kLookStep) end_stretch(borders);
       }
     }
+    if (looked) end_stretch(borders);
     close(borders);
   }
 
@@ -97,9 +100,19 @@ class Shown {
     const double behind = glm::dot(hit->position - p, camera_.to_viewer(p));
     return behind * camera_.scale_at(p) < kSameDepth;
   }
-  void extend(Vec3 from, Vec3 to) {
-    if (run_.points.empty()) run_.points.push_back(from);
-    run_.points.push_back(to);
+  /// Looks at its end.
+  void end_stretch(Borders& borders) {
+    if (stretch_.size() < 2) return;
+    const bool after = seen(stretch_.back());
+    if (before_ || after) {
+      const auto from = run_.points.empty() ? stretch_.begin() : std::next(stretch_.begin());
+      run_.points.insert(run_.points.end(), from, stretch_.end());
+    } else {
+      close(borders);
+    }
+    before_ = after;
+    stretch_ = {stretch_.back()};
+    length_ = 0;
   }
   void close(Borders& borders) {
     if (!run_.points.empty()) borders.add(run_);
@@ -109,7 +122,12 @@ class Shown {
   const Curve3& curve_;
   const ViewProbe& probe_;
   const Camera& camera_;
+  /// What is shown, up to the stretch.
   Curve3 run_;
+  /// From the last place that was looked at on.
+  std::vector<Vec3> stretch_;
+  double length_ = 0;
+  bool before_ = false;
 };
 
 /// Visible stretches of the lines of solid parts.
@@ -129,7 +147,8 @@ void add_seen(const SeenLines& lines, const Occluders& occluders, Borders& borde
 
 /// Lines that the drawing has none of.
 std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camera,
-                                 const RegionOptions& options, const RunContext& context) {
+                                 const RegionOptions& options, const LightView* light,
+                                 const RunContext& context) {
   std::vector<Curve3> out;
   const auto proxies = occluders.solid_proxies();
   const FeatureOptions silent{.contours = false,
@@ -142,27 +161,57 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
   }
-  for (std::size_t i = 0; i < proxies.size(); ++i) {
-    if (options.tones[i].levels.empty() || proxies[i]->mesh.triangles.empty()) continue;
-    std::vector<Curve3> more =
-        trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), options.tones[i], camera,
-                        context, exact_places(*occluders.surfaces()[i]));
-    std::ranges::move(more, std::back_inserter(out));
-  }
-  if (options.shadows) {
-    std::ranges::move(cast_shadows(occluders, *options.shadows, camera, options.tones, context),
+  std::vector<std::vector<Curve3>> isophotes(proxies.size());
+  parallel_for(
+      proxies.size(), 1,
+      [&](std::size_t i, std::size_t) {
+        isophotes[i] = trace_isophotes(
+            *proxies[i], static_cast<std::int32_t>(i), options.tones[i], camera, context,
+            {.exact = exact_places(*occluders.surfaces()[i]), .border = true});
+      },
+      &context);
+  for (std::vector<Curve3>& of_one : isophotes) std::ranges::move(of_one, std::back_inserter(out));
+  if (light) {
+    std::ranges::move(cast_shadows(occluders, *light, camera, options.tones, context),
                       std::back_inserter(out));
   }
   return out;
 }
 
+/// The step of tone of a place. The normal of an exact surface is asked for only where those at the
+/// corners of the triangle leave more than one step: between them light bends by less than the
+/// angle between them lets it.
+std::int32_t tone_at(const ProxyMesh& proxy, const ExactAt& exact, const ViewHit& hit,
+                     const Camera& camera, const Isophotes& tones) {
+  const auto [face, bary] = hit.point;
+  Vec3 normal = proxy.normal(face, bary);
+  const bool closed = proxy.closed(face);
+  const bool back = !closed && glm::dot(normal, camera.to_viewer(hit.position)) < 0;
+  const double side = back ? -1 : 1;
+  const Triangle& w = proxy.wedges[face];
+  const Vec3 &a = proxy.wedge_normal[w[0]], &b = proxy.wedge_normal[w[1]],
+             &c = proxy.wedge_normal[w[2]];
+  const double bend = 1 - std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
+  const Vec3 light = side / glm::length(tones.light) * tones.light;
+  const std::array lights{glm::dot(a, light), glm::dot(b, light), glm::dot(c, light)};
+  const auto [least, most] = std::ranges::minmax(lights);
+  const auto step = [&](double of) {
+    return std::ranges::lower_bound(tones.levels, of) - tones.levels.begin();
+  };
+  if (const auto one = step(least - bend); one == step(most + bend)) {
+    return static_cast<std::int32_t>(one);
+  }
+  if (exact) normal = exact(face, bary).normal;
+  return step_of(tones, side * normal);
+}
+
 /// What is seen at a place of the sheet. All of it must outlive that.
-LabelAt region_label(const Occluders& occluders, const Camera& camera,
-                     const RegionOptions& options) {
+LabelAt region_label(const Occluders& occluders, const Camera& camera, const RegionOptions& options,
+                     const LightView* light) {
   std::vector<ExactAt> places;
   for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
   return [probe = view_probe(occluders.solid(), camera), proxies = occluders.solid_proxies(),
-          places = std::move(places), &occluders, &camera, &options](Vec2 at) {
+          places = std::move(places), &occluders, &camera, &options, light](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -174,15 +223,10 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera,
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
-    const ExactAt& exact = places[part];
-    Vec3 normal = exact ? exact(hit->point.face, hit->point.bary).normal
-                        : proxy.normal(hit->point.face, hit->point.bary);
-    const bool back = glm::dot(normal, camera.to_viewer(hit->position)) < 0;
-    if (back && !proxy.closed(hit->point.face)) normal = -normal;
-    label.tone = step_of(options.tones[part], normal);
-    if (options.shadows && label.tone > 0 &&
+    label.tone = tone_at(proxy, places[part], *hit, camera, options.tones[part]);
+    if (light && label.tone > 0 &&
         in_shadow(occluders, {hit->part, hit->point.face}, hit->position,
-                  options.shadows->camera.direction())) {
+                  light->camera.direction())) {
       label.tone = 0;
     }
     return label;
@@ -202,33 +246,6 @@ Area area_of(const Partition& partition, const AreaLabel& label, bool toned,
   return area;
 }
 
-std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options) {
-  std::map<AreaLabel, Steps> faces;
-  for (std::uint32_t i = 0; i < partition.regions.size(); ++i) {
-    AreaLabel label = partition.regions[i].label;
-    if (label.part < 0) continue;
-    const std::int32_t tone = std::exchange(label.tone, 0);
-    faces[label][tone].push_back(i);
-  }
-  std::vector<Area> out;
-  for (auto& [label, steps] : faces) {
-    const auto part = static_cast<std::size_t>(label.part);
-    const bool nested = part < options.nested.size() && options.nested[part];
-    if (nested) {
-      for (auto it = steps.begin(); std::next(it) != steps.end(); ++it) {
-        auto& lighter = std::next(it)->second;
-        lighter.insert(lighter.end(), it->second.begin(), it->second.end());
-      }
-    }
-    for (auto it = steps.rbegin(); it != steps.rend(); ++it) {
-      Area area = area_of(partition, {label.part, label.face, it->first},
-                          !options.tones[part].levels.empty(), it->second);
-      if (!area.rings.empty()) out.push_back(std::move(area));
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 void add_ring(std::vector<Vec2> ring, Area& area) {
@@ -243,18 +260,45 @@ void add_ring(std::vector<Vec2> ring, Area& area) {
   if (kept.size() > 2) area.rings.push_back(std::move(kept));
 }
 
-std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
-                               const Camera& camera, const RegionOptions& options,
-                               const RunContext& context) {
+Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
+                       const Camera& camera, const RegionOptions& options, const LightView* light,
+                       const RunContext& context) {
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
   Borders borders(camera);
   add_seen(lines, occluders, borders);
   const ViewProbe probe = view_probe(occluders.solid(), camera);
-  const std::vector<Curve3> silent = silent_lines(occluders, camera, options, context);
+  const std::vector<Curve3> silent = silent_lines(occluders, camera, options, light, context);
   for (const Curve3& line : silent) Shown(line, probe, camera).add_to(borders);
-  const LabelAt label_at = region_label(occluders, camera, options);
-  const PartitionOptions how{.slack = kSlack};
-  return areas_of(partition(box, borders.get(), label_at, how, context), options);
+  const LabelAt label_at = region_label(occluders, camera, options, light);
+  const PartitionOptions how{.least_tone_width = options.pen, .slack = kSlack};
+  return partition(box, borders.get(), label_at, how, context);
+}
+
+std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options,
+                           const std::vector<bool>& nested) {
+  std::map<AreaLabel, Steps> faces;
+  for (std::uint32_t i = 0; i < partition.regions.size(); ++i) {
+    AreaLabel label = partition.regions[i].label;
+    if (label.part < 0) continue;
+    const std::int32_t tone = std::exchange(label.tone, 0);
+    faces[label][tone].push_back(i);
+  }
+  std::vector<Area> out;
+  for (auto& [label, steps] : faces) {
+    const auto part = static_cast<std::size_t>(label.part);
+    if (nested[part]) {
+      for (auto it = steps.begin(); std::next(it) != steps.end(); ++it) {
+        auto& lighter = std::next(it)->second;
+        lighter.insert(lighter.end(), it->second.begin(), it->second.end());
+      }
+    }
+    for (auto it = steps.rbegin(); it != steps.rend(); ++it) {
+      Area area = area_of(partition, {label.part, label.face, it->first},
+                          !options.tones[part].levels.empty(), it->second);
+      if (!area.rings.empty()) out.push_back(std::move(area));
+    }
+  }
+  return out;
 }
 
 }  // namespace burin::detail

@@ -1,6 +1,7 @@
 #pragma once
 // The sheet parted into areas of a part, a face and a step of tone; internal to the module.
 
+#include <burin/area/partition.h>
 #include <burin/base/curve.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -12,6 +13,7 @@
 #include "occluders.h"
 #include "shadow/light_view.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,15 +23,17 @@ namespace burin::detail {
 struct RegionOptions {
   /// One a part: where its tone has a step; no levels: one step all over.
   std::vector<Isophotes> tones{};
-  /// One a part: areas of a step hold the darker ones, too, which come after: painted one over the
-  /// other, no hair of paper shows between them.
-  std::vector<bool> nested{};
   /// Whether faces of the input are told apart.
   bool faces = false;
+  /// Paper mm: narrower steps of tone go to the step beside them.
+  double pen = 0;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.
   FeatureOptions found{};
-  /// The light by which parts cast shadows on parts; null: none do. Shadows have the step 0.
-  const LightView* shadows = nullptr;
+  /// From the model to the light by which parts cast shadows on parts; nothing: none do. Shadows
+  /// have the step 0.
+  std::optional<Vec3> shadows{};
+
+  bool operator==(const RegionOptions&) const = default;
 };
 
 /// The feature lines of a view and the spans of each.
@@ -41,14 +45,21 @@ struct SeenLines {
 /// Adds a border of regions to an area, without the points that lie on the line through others.
 void add_ring(std::vector<Vec2> ring, Area& area);
 
-/// What is seen of solid parts, by part, face and step, the darkest last; parts that can be looked
-/// through have none. Areas say a step where the part has more than one, and a face where faces are
-/// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of
-/// them, and lines that it does not draw: isophotes, smooth edges and seams between faces,
-/// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says
-/// a ray. Cost: `partition`; a ray a mm of isophotes. Throws Cancelled.
-std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
-                               const Camera& camera, const RegionOptions& options,
-                               const RunContext& context);
+/// What is seen of solid parts, by part, face and step; parts that can be looked through have none.
+/// Borders are the visible lines, whatever the style draws of them, and lines that it does not
+/// draw: isophotes, smooth edges and seams between faces, intersections, borders of shadows. They
+/// part the sheet whether hidden or not; what is seen says a ray. `light`: the view from
+/// `options.shadows`; null where there is none. Cost: `partition`; a ray a mm of isophotes. Throws
+/// Cancelled.
+Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
+                       const Camera& camera, const RegionOptions& options, const LightView* light,
+                       const RunContext& context);
+
+/// Regions as areas, of each part and face the darkest last. They say a step where the part has
+/// more than one, and a face where faces are told apart, or that closes a cut. `nested`, one a
+/// part: areas of a step hold the darker ones, too, which come after: painted one over the other,
+/// no hair of paper shows between them.
+std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options,
+                           const std::vector<bool>& nested);
 
 }  // namespace burin::detail

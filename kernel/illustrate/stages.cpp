@@ -70,9 +70,17 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
     if (shadows && levels.empty()) levels = {kGrazing};
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
-    options.nested.push_back(nests(fill));
   }
   return options;
+}
+
+// Where areas of a step hold the darker ones.
+std::vector<bool> nested_fills(const PartStyles& part_styles) {
+  std::vector<bool> out;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    out.push_back(nests(part_styles.style(i).fill));
+  }
+  return out;
 }
 
 void name_own_field(Drawing& drawing) {
@@ -162,7 +170,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     for (std::size_t i = 0; i < view.isophotes.size(); ++i) {
       std::vector<Curve3> lines =
           trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), view.isophotes[i], view.camera,
-                          context, exact_places(*view.occluders->surfaces()[i]));
+                          context, {.exact = exact_places(*view.occluders->surfaces()[i])});
       std::ranges::move(lines, std::back_inserter(features));
     }
     features.insert(features.end(), view.trails.begin(), view.trails.end());
@@ -170,6 +178,48 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
               std::move(said)});
   });
+}
+
+Labels Stages::labels_of(const Drawing& drawing, const std::shared_ptr<Lines>& lines,
+                         const Shaded& shaded, const Style& style, const PartStyles& part_styles,
+                         const IllustrateOptions& options, RunContext& context) {
+  Labels labels;
+  const auto& [occluders, to_light, camera] = shaded;
+  const bool maps = options.annotations.has_value();
+  const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
+                       style.shadow.cast || style.shadow.ground;
+  std::shared_ptr<std::optional<LightView>> light;
+  if (style.shadow.cast || style.shadow.ground) {
+    light = light_.get({occluders, to_light}, [&] {
+      return std::make_shared<std::optional<LightView>>(light_view(*occluders, to_light, context));
+    });
+  }
+  if (maps || regions) {
+    const LabelRequest wanted(drawing, occluders, camera, maps, !regions);
+    labels = *labels_.get(wanted, [&] { return std::make_shared<Labels>(label(wanted, context)); });
+    if (regions) {
+      Parted parted{lines, wanted.box, region_options(part_styles, camera, style.shadow.cast)};
+      parted.options.faces = options.face_areas;
+      parted.options.pen = style.line.crease;
+      if (style.shadow.cast) parted.options.shadows = to_light;
+      const auto parts = regions_.get(parted, [&] {
+        const Sight& sight = lines->sight;
+        const LightView* from_light = style.shadow.cast && *light ? &**light : nullptr;
+        return std::make_shared<Partition>(
+            find_regions(parted.box, {sight.features(), sight.feature_spans()}, *occluders, camera,
+                         parted.options, from_light, context));
+      });
+      std::ranges::move(areas_of(*parts, parted.options, nested_fills(part_styles)),
+                        std::back_inserter(labels.areas));
+    }
+  }
+  if (style.shadow.ground && *light) {
+    labels.shadow = *shadow_.get(shaded, [&] {
+      return std::make_shared<std::optional<Area>>(
+          ground_shadow(*occluders, **light, camera, context));
+    });
+  }
+  return labels;
 }
 
 Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style& style,
@@ -223,22 +273,8 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
-  LabelRequest wanted{.maps = options.annotations.has_value(),
-                      .lines = {features->sight.features(), features->sight.feature_spans()}};
-  std::optional<LightView> light;
-  if (style.shadow.ground || style.shadow.cast) {
-    light = light_view(*trees, tone::to_light(camera, style.tone), context);
-  }
-  if (options.face_areas || paints(part_styles) || hatches(part_styles) || style.shadow.cast ||
-      style.shadow.ground) {
-    wanted.regions = region_options(part_styles, camera, style.shadow.cast);
-    wanted.regions->faces = options.face_areas;
-    if (style.shadow.cast && light) wanted.regions->shadows = &*light;
-  }
-  if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
-  if (style.shadow.ground && light) {
-    labels.shadow = ground_shadow(*trees, *light, camera, context);
-  }
+  labels = labels_of(drawing, features, {trees, tone::to_light(camera, style.tone), camera}, style,
+                     part_styles, options, context);
   context.end_stage();
   return drawing;
 }

@@ -1,6 +1,8 @@
 #pragma once
 // The order of the stages; internal to the module.
 
+#include <burin/area/partition.h>
+#include <burin/base/box.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -16,9 +18,12 @@
 #include "occluders.h"
 #include "part_styles.h"
 #include "realise_parts.h"
+#include "regions.h"
+#include "shadow/light_view.h"
 #include "sight.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace burin::detail {
@@ -61,18 +66,46 @@ class Stages {
     bool operator==(const Seen&) const = default;
   };
 
+  /// The lines stand for the occluders and the view.
+  struct Parted {
+    std::shared_ptr<Lines> lines;
+    Box2 box;
+    RegionOptions options;
+    bool operator==(const Parted&) const = default;
+  };
+  struct Shaded {
+    std::shared_ptr<const Occluders> occluders;
+    Vec3 to_light{0};
+    Camera camera;
+    bool operator==(const Shaded&) const = default;
+  };
+
+  struct Lit {
+    std::shared_ptr<const Occluders> occluders;
+    Vec3 to_light{0};
+    bool operator==(const Lit&) const = default;
+  };
+
   /// `found`, if any, gets its lines as compose gives them; `labels` which parts are seen where,
   /// where the drawing is to have annotations.
   Drawing draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                      const PartStyles& part_styles, const IllustrateOptions& options,
                      std::vector<Path>* found, Labels& labels, bool keeps, RunContext& context);
   std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
+  /// Which parts are seen where, and the areas that are painted.
+  Labels labels_of(const Drawing& drawing, const std::shared_ptr<Lines>& lines,
+                   const Shaded& shaded, const Style& style, const PartStyles& part_styles,
+                   const IllustrateOptions& options, RunContext& context);
 
   RealisedParts realised_;
   Kept<Solid, Occluders> occluders_;
   HatchedParts hatched_;
   Kept<View, Lines> lines_;
   Kept<Seen, Spans> seen_;
+  Kept<LabelRequest, Labels> labels_;
+  Kept<Parted, Partition> regions_;
+  Kept<Lit, std::optional<LightView>> light_;
+  Kept<Shaded, std::optional<Area>> shadow_;
 };
 
 }  // namespace burin::detail

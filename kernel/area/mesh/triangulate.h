@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,10 +19,27 @@ struct SheetMesh {
   std::vector<std::array<std::int32_t, 3>> beyond;
   /// Whether side `i` is on a segment of the input.
   std::vector<std::array<bool, 3>> constrained;
+  /// The triangle with the same corners in the mesh that was taken before; -1: none.
+  std::vector<std::int32_t> before;
 };
 
-/// Segments that cross are divided where they do. Cost: n log n. @cite CGAL
-SheetMesh triangulate_sheet(std::span<const Vec2> points,
-                            std::span<const std::array<std::uint32_t, 2>> segments);
+/// Grows by more segments; those that cross are divided where they do. @cite CGAL
+class SheetTriangulation {
+ public:
+  SheetTriangulation();
+  ~SheetTriangulation();
+  SheetTriangulation(const SheetTriangulation&) = delete;
+  SheetTriangulation& operator=(const SheetTriangulation&) = delete;
+
+  /// Segments by their ends among `points`. Cost: n log n of the first ones; of later ones about
+  /// the triangles that they meet.
+  void add(std::span<const Vec2> points, std::span<const std::array<std::uint32_t, 2>> segments);
+  /// All triangles. Points keep their numbers from one mesh to the next.
+  SheetMesh mesh();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace burin::detail

@@ -58,7 +58,8 @@ double opacity_of(const Part& part, const FillOptions& fill, bool transparent) {
   return fill.opacity * (part.opacity < 1 ? part.opacity : kGlass);
 }
 
-/// From 0, the darkest tone, to 1. Without steps of their own parts have two where shadows are cast.
+/// From 0, the darkest tone, to 1. Without steps of their own parts have two where shadows are
+/// cast.
 double light_of(const FillOptions& fill, std::int32_t tone) {
   if (tone < 0) return 1;
   return std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));

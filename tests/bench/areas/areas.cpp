@@ -1,10 +1,12 @@
-// burin_areas MODEL VIEW [steps=N] [cast=1] [faces=1] [paper=A4] [perspective=DEGREES] [style=NAME]
-// [rays=N] [picture=FILE.svg] draws a model with areas of flat tone and tests these by random rays,
-// `rays` a mm2 of paper: a row of numbers. cast=1: with shadows of parts on parts.
+// burin_areas MODEL VIEW [steps=N] [cast=1] [shadow=1] [faces=1] [paper=A4] [perspective=DEGREES]
+// [style=NAME] [rays=N] [picture=FILE.svg] draws a model with areas of flat tone and tests these by
+// random rays, `rays` a mm2 of paper: a row of numbers. cast=1: with shadows of parts on parts;
+// shadow=1: with the shadow on the ground.
 #include <burin/base/error.h>
 #include <burin/converters/read.h>
 #include <burin/feature/isophotes.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/session.h>
 #include <burin/tone/catalogue.h>
 #include <burin/visibility/occluder.h>
 
@@ -100,8 +102,8 @@ class Sides {
 struct Task {
   std::string model, view;
   std::map<std::string, std::string> values{
-      {"steps", "0"},       {"faces", "0"}, {"paper", "A4"}, {"perspective", "0"},
-      {"style", "outline"}, {"rays", "4"},  {"picture", ""}, {"cast", "0"}};
+      {"steps", "0"}, {"faces", "0"},  {"paper", "A4"}, {"perspective", "0"}, {"style", "outline"},
+      {"rays", "4"},  {"picture", ""}, {"cast", "0"},   {"shadow", "0"}};
   double number(const char* key) const { return std::stod(values.at(key)); }
 };
 
@@ -227,15 +229,27 @@ void run(const Task& asked) {
   const auto steps = static_cast<std::size_t>(asked.number("steps"));
   const bool faces = asked.number("faces") > 0;
   illustrate(scene, camera, style, {}, context);  // forms keep what they make once
-  double start = now();
-  const Drawing lines = illustrate(scene, camera, style, {}, context);
-  const double of_lines = now() - start;
+  Session session;
+  const auto timed = [&](const IllustrateOptions& options, Drawing& drawing) {
+    const double start = now();
+    drawing = session.draw(scene, camera, style, options, context);
+    return now() - start;
+  };
+  Drawing drawing;
+  const double of_lines = timed({}, drawing);
+  const double of_same = timed({}, drawing);
   style.fill.color = "part";
   style.fill.steps = static_cast<int>(steps);
   style.shadow.cast = asked.number("cast") > 0;
-  start = now();
-  const Drawing drawing = illustrate(scene, camera, style, {.face_areas = faces}, context);
-  const double of_all = now() - start;
+  style.shadow.ground = asked.number("shadow") > 0;
+  const double of_areas = timed({.face_areas = faces}, drawing) - of_same;
+  Drawing again;
+  const Style asked_style = style;
+  style.fill.color = "#aa3300";
+  const double of_color = timed({.face_areas = faces}, again) - of_same;
+  style.tone.light.x += 0.1;
+  const double of_light = timed({.face_areas = faces}, again) - of_same;
+  style = asked_style;
 
   const Truth truth(scene, camera, style, faces, context);
   const Sides sides(drawing);
@@ -283,9 +297,10 @@ void run(const Task& asked) {
   }
   std::string name = asked.model.substr(asked.model.find_last_of('/') + 1);
   std::ranges::replace(name, ' ', '_');
-  fmt::print("{}\t{}\t{}\t{:.0f}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.3f}\t{:.3f}\t", name,
-             asked.view, scene.parts.size(), shape, drawing.areas.size(), rings, corners, wrong,
-             open, part_open, of_lines, of_all - of_lines);
+  fmt::print(
+      "{}\t{}\t{}\t{:.0f}\t{}\t{}\t{}\t{:.2f}\t{:.2f}\t{:.2f}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.3f}\t",
+      name, asked.view, scene.parts.size(), shape, drawing.areas.size(), rings, corners, wrong,
+      open, part_open, of_lines, of_areas, of_color, of_light);
   for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 6); ++i) {
     const auto seen = truth.at(places[i]);
     const auto in = sides.at(places[i]);

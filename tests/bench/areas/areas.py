@@ -4,7 +4,8 @@
 usage: areas.py BIN/burin_areas FILE|FOLDER... [--views iso,front] [--jobs 1] [KEY=VALUE]...
 
 Columns: model, view, parts, mm2 of paper that parts cover, areas, rings, corners; mm2 that random rays contradict, of these over 0.12 mm
-from a border, of these with a wrong part; processor seconds of the lines and of the areas; the first wrong places (seen!drawn).
+from a border, of these with a wrong part; processor seconds of the lines, of the areas, and in a session of another colour and of
+another light; the first wrong places (seen!drawn).
 """
 import concurrent.futures
 import pathlib
@@ -12,7 +13,7 @@ import subprocess
 import sys
 
 SUFFIXES = ".stl .obj .off .ply .3mf .step .stp .iges .igs .brep .bez .bbp .itd .glb .implicit .nrrd .scad".split()
-NAMES = "shape areas rings corners wrong open part lines time".split()
+NAMES = "shape areas rings corners wrong open part lines time color light".split()
 
 
 def row(job):
@@ -50,7 +51,8 @@ def main(words):
     shape = max(sums["shape"], 1)
     print(f"# {count} drawings, {shape:.0f} mm2: wrong {1e6 * sums['wrong'] / shape:.1f} in a million, over 0.12 mm from a border "
           f"{1e6 * sums['open'] / shape:.1f} (part {1e6 * sums['part'] / shape:.1f}); areas {sums['areas']:.0f}, corners "
-          f"{sums['corners']:.0f}; lines {sums['lines']:.1f} s, areas {sums['time']:.1f} s")
+          f"{sums['corners']:.0f}; lines {sums['lines']:.1f} s, areas {sums['time']:.1f} s, "
+          f"another colour {sums['color']:.1f} s, another light {sums['light']:.1f} s")
 
 
 if __name__ == "__main__":

@@ -163,6 +163,35 @@ TEST(Partition, GivesSliversToTheNeighbour) {
   EXPECT_EQ(p.regions.size(), 3u);
 }
 
+TEST(Partition, SpecksOfToneGoToTheStepBesideThemAndPartsStay) {
+  // A part with a darker band 2 mm wide, a strip of 0.2 mm and a speck of 0.2 mm; another part as
+  // small as the speck.
+  const std::vector<Vec2> outer = rectangle({10, 10}, {60, 50}),
+                          band = rectangle({15, 15}, {45, 17}),
+                          strip = rectangle({15, 25}, {45, 25.2}),
+                          speck = rectangle({50, 30}, {50.2, 30.2}),
+                          small = rectangle({50, 40}, {50.2, 40.2});
+  const std::vector<BorderLine> lines{
+      {outer, true}, {band, true}, {strip, true}, {speck, true}, {small, true}};
+  const auto label_at = [&](Vec2 p) {
+    if (holds(small, p)) return AreaLabel{.part = 2};
+    const bool dark = holds(band, p) || holds(strip, p) || holds(speck, p);
+    return AreaLabel{.part = holds(outer, p) ? 1 : -1, .tone = dark ? 0 : 1};
+  };
+  EXPECT_EQ(part(lines, label_at).regions.size(), 6u);
+  const Partition p = part(lines, label_at, {.least_tone_width = 0.25});
+  expect_sound(p);
+  ASSERT_EQ(p.regions.size(), 4u);
+  for (const AreaRegion& region : p.regions) {
+    if (region.label.part == 1 && region.label.tone == 0) {
+      EXPECT_NEAR(region.area, 60, 1e-9);
+    }
+    if (region.label.part == 2) {
+      EXPECT_NEAR(region.area, 0.04, 1e-9);
+    }
+  }
+}
+
 TEST(Partition, OfRandomRectanglesOverEachOtherAgreesWithRandomPlaces) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> x(-10, 110), y(-10, 90);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -37,6 +38,48 @@ class Counting final : public Form {
 
  private:
   std::shared_ptr<const Form> form_;
+};
+
+// A surface that counts how often its normal is asked for.
+class CountingSurface final : public Surface {
+ public:
+  CountingSurface(std::shared_ptr<const Surface> surface, std::atomic<int>& count)
+      : surface_(std::move(surface)), count_(count) {}
+
+  MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
+    return surface_->march(from, tangent, length);
+  }
+  Frame frame(const SurfacePoint& point) const override {
+    ++count_;
+    return surface_->frame(point);
+  }
+  const ProxyMesh& proxy() const override { return surface_->proxy(); }
+  ProxyPoint to_proxy(const SurfacePoint& point) const override {
+    return surface_->to_proxy(point);
+  }
+  SurfacePoint lift(const ProxyPoint& point) const override { return surface_->lift(point); }
+  bool exact() const override { return true; }
+
+ private:
+  std::shared_ptr<const Surface> surface_;
+  std::atomic<int>& count_;
+};
+
+class CountedNormals final : public Form {
+ public:
+  explicit CountedNormals(TriMesh mesh) : form_(std::move(mesh)) {}
+
+  Box3 bounds(const Mat3& axes) const override { return form_.bounds(axes); }
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override {
+    return std::make_shared<CountingSurface>(form_.realise(options, context), count);
+  }
+  bool looks_at_view() const override { return false; }
+
+  mutable std::atomic<int> count = 0;
+
+ private:
+  MeshForm form_;
 };
 
 std::string json(const Drawing& drawing) {
@@ -122,6 +165,65 @@ TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   direction_ = {1, -2, 1};
   style_ = builtin_style("engraving");
   EXPECT_EQ(draw(), first);
+}
+
+TEST_F(SessionTest, PaintsTheSameBytesWhateverChanges) {
+  style_ = builtin_style("shaded");
+  const std::string first = draw();
+  style_.fill.color = "#aa3300";
+  EXPECT_NE(draw(), first);
+  style_.fill.opacity = 0.5;
+  draw();
+  style_.fill.steps = 4;
+  draw();
+  style_.fill.darkest = 0.2;
+  draw();
+  style_.tone.light = {0.8, 0.3, 0.5};
+  draw();
+  style_.shadow.color = "#000080";
+  draw();
+  options_.face_areas = true;
+  draw();
+  options_.part_styles.resize(3);
+  options_.part_styles[0].transparent = true;
+  draw();
+  options_.part_styles[0].style = style_;
+  options_.part_styles[0].style->fill.color = "#00ff00";
+  draw();
+  options_.part_styles[0].transparent = false;
+  direction_ = {1, -1, 0.4};
+  draw();
+  options_ = {};
+  direction_ = {1, -2, 1};
+  style_ = builtin_style("shaded");
+  EXPECT_EQ(draw(), first);
+}
+
+TEST_F(SessionTest, AreasStayWhereAColourChanges) {
+  const auto counted = std::make_shared<CountedNormals>(test::ellipsoid({10, 10, 10}, 96, 48));
+  scene_.parts[1].form = counted;
+  style_ = builtin_style("cel");
+  const auto normals = [&] {
+    RunContext context;
+    const int before = counted->count;
+    session_.draw(scene_, camera(), style_, options_, context);
+    return counted->count - before;
+  };
+  EXPECT_GT(normals(), 0);
+  EXPECT_EQ(normals(), 0);
+  style_.fill.color = "#aa3300";
+  style_.fill.opacity = 0.5;
+  style_.fill.darkest = 0.3;
+  style_.line.outer = 0.9;
+  EXPECT_EQ(normals(), 0);
+  style_.fill.opacity = 1;
+  EXPECT_EQ(normals(), 0);
+  style_.fill.steps = 4;
+  EXPECT_GT(normals(), 0);
+  style_.tone.light = {0.8, 0.3, 0.5};
+  EXPECT_GT(normals(), 0);
+  direction_ = {1, -1, 0.4};
+  EXPECT_GT(normals(), 0);
 }
 
 TEST_F(SessionTest, MakesAnewWhatAChangeAsksFor) {

@@ -45,6 +45,9 @@ struct PartitionOptions {
   /// Paper mm: a region narrower than this (twice its area by its border) goes to the neighbour
   /// with the longest common border.
   double least_width = 0.03;
+  /// Paper mm: the same of a region beside others of its own part and face, which differ in tone
+  /// alone, as wide as the rectangle of its area and border. It goes to one of these.
+  double least_tone_width = 0;
   /// Paper mm: how far from the sides of a triangle its label is looked for. Where lines and labels
   /// know the same border by different approximations, triangles beside it are not divided.
   double slack = 0;

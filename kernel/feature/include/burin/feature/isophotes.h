@@ -39,15 +39,23 @@ std::vector<double> even_levels(std::size_t steps);
 /// that of the side which is looked at.
 std::int32_t step_of(const Isophotes& isophotes, Vec3 normal);
 
+struct IsophoteOptions {
+  ExactAt exact{};
+  /// For borders of areas: without what faces away on closed components, not faired, and found in
+  /// fewer steps.
+  bool border = false;
+};
+
 /// Curves of a proxy on which normal . light is one of the levels, hidden ones too: of kind
 /// Isophote, chained, with ends on creases and boundaries. They lie on the exact surface where
-/// `exact` knows it. Elsewhere normals are those between the wedges', at unit length, so that
-/// circles on spheres are circles, and lines follow the rounded surface and are faired as contours
-/// are. On open sheets normals count as seen. `self_hidden`: what faces away. `source.face`: as of
-/// contours. Closed ones shorter than kSpeckLength are left out as noise. Throws Cancelled. Cost: a
-/// pass over the triangles a level, 10 ms per million of them, and the lines.
+/// `exact` of the options knows it. Elsewhere normals are those between the wedges', at unit
+/// length, so that circles on spheres are circles, and lines follow the rounded surface and are
+/// faired as contours are. On open sheets normals count as seen. `self_hidden`: what faces away.
+/// `source.face`: as of contours. Closed ones shorter than kSpeckLength are left out as noise.
+/// Throws Cancelled. Cost: a pass over the triangles a level, 10 ms per million of them, and the
+/// lines.
 std::vector<Curve3> trace_isophotes(const ProxyMesh& proxy, std::int32_t part,
                                     const Isophotes& isophotes, const Camera& camera,
-                                    const RunContext& context, const ExactAt& exact = {});
+                                    const RunContext& context, const IsophoteOptions& options = {});
 
 }  // namespace burin

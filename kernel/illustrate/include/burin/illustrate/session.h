@@ -19,9 +19,9 @@ class Stages;
 /// Keeps what the last drawing was made of: realised surfaces, curvature and the tree of rays as
 /// long as forms, tolerance and, for exact forms, the view are the same; feature lines and what is
 /// seen of them as long as the view is, too; strokes of each kind as long as their style, tone and
-/// light are. Widths of lines, haloes and looks are made anew each time. A form is the same where
-/// its pointer is. Draws the same, byte by byte, as `illustrate`. Strokes with a field or a tone of
-/// the caller's own are not kept. Memory: that of one drawing, of two while one replaces the other.
+/// light are, and areas. Widths of lines, haloes and looks are made anew each time. A form is the
+/// same where its pointer is. Draws the same, byte by byte, as `illustrate`. Strokes with a field
+/// or a tone of the caller's own are not kept. Memory: that of one drawing, two in replacing it.
 class Session {
  public:
   Session();
