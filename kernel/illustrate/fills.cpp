@@ -79,7 +79,9 @@ void paint_areas(const Scene& scene, const PartStyles& part_styles, std::vector<
     const auto part = static_cast<std::size_t>(area.part);
     const FillOptions& fill = part_styles.style(part).fill;
     if (fill.color == "none" || fill.opacity <= 0) continue;
-    area.fill = toned(fill.color == "part" ? own[part] : fill.color, fill, area.tone);
+    // That of faces which are coloured otherwise than their part is known by now.
+    const std::string& of_part = area.fill.empty() ? own[part] : area.fill;
+    area.fill = toned(fill.color == "part" ? of_part : fill.color, fill, area.tone);
     area.opacity = opacity_of(scene.parts[part], fill, part_styles.transparent(part));
   }
   // Glass comes first, the foremost before what is seen through it; it is painted last.

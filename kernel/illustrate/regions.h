@@ -7,10 +7,12 @@
 #include <burin/drawing/drawing.h>
 #include <burin/feature/isophotes.h>
 #include <burin/feature/options.h>
+#include <burin/surface/face_colors.h>
 #include <burin/visibility/visible_spans.h>
 
 #include "occluders.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct RegionOptions {
   /// One a part: areas of a step hold the darker ones, too, which come after: painted one over the
   /// other, no hair of paper shows between them.
   std::vector<bool> nested{};
+  /// One a part, or fewer: the colours of its faces that part it; absent: it has one.
+  std::vector<std::shared_ptr<const FaceColors>> colors{};
   /// Whether faces of the input are told apart.
   bool faces = false;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.
@@ -38,12 +42,14 @@ struct SeenLines {
 /// Adds a border of regions to an area, without the points that lie on the line through others.
 void add_ring(std::vector<Vec2> ring, Area& area);
 
-/// What is seen of solid parts, by part, face and step, the darkest last; parts that can be looked
-/// through have none. Areas say a step where the part has more than one, and a face where faces are
-/// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of
-/// them, and lines that it does not draw: isophotes, smooth edges and seams between faces,
-/// intersections. They part the sheet whether hidden or not; what is seen says a ray. Cost:
-/// `partition`; a ray a mm of isophotes. Throws Cancelled.
+/// What is seen of solid parts, by part, face, colour and step, the darkest last; parts that can be
+/// looked through have none. Areas say a step where the part has more than one, and a face where
+/// faces are told apart, or that closes a cut; their `fill` is the colour of faces that are
+/// coloured otherwise than their part. Of nested parts the colour of the part goes on below those.
+/// Borders are the visible lines, whatever the style draws of them, and lines that it does not
+/// draw: isophotes, smooth edges and seams between faces, intersections. They part the sheet
+/// whether hidden or not; what is seen says a ray. Cost: `partition`; a ray a mm of isophotes.
+/// Throws Cancelled.
 std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                                const Camera& camera, const RegionOptions& options,
                                const RunContext& context);

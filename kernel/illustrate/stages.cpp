@@ -55,7 +55,8 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
 }
 
 // What parts the sheet where parts have flat colours.
-RegionOptions region_options(const PartStyles& part_styles, const Camera& camera) {
+RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
+                             const Camera& camera) {
   RegionOptions options{.found = feature_options(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const FillOptions& fill = part_styles.style(i).fill;
@@ -63,6 +64,9 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone),
                              even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1)});
     options.nested.push_back(fill.opacity >= 1);
+    options.colors.push_back(part_styles.drawn(i) && fill.color == "part" && fill.opacity > 0
+                                 ? scene.parts[i].face_colors
+                                 : nullptr);
   }
   return options;
 }
@@ -218,7 +222,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   LabelRequest wanted{.maps = options.annotations.has_value(),
                       .lines = {features->sight.features(), features->sight.feature_spans()}};
   if (options.face_areas || paints(part_styles)) {
-    wanted.regions = region_options(part_styles, camera);
+    wanted.regions = region_options(scene, part_styles, camera);
     wanted.regions->faces = options.face_areas;
   }
   if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
