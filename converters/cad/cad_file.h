@@ -4,11 +4,13 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/forms/charted/chart.h>
+#include <burin/surface/face_colors.h>
 
 #include "source.h"
 
 #include <TopoDS_Shape.hxx>
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -36,6 +38,14 @@ struct CadColor {
   bool operator==(const CadColor&) const = default;
 };
 
+/// The faces of a body that has several colours, in the order of TopExp::MapShapes.
+struct CadFaces {
+  /// "#rrggbb", or empty: that of the body.
+  std::vector<std::string> color;
+  /// In the square of the file's unit.
+  std::vector<double> area;
+};
+
 struct CadPart {
   std::string name;
   std::vector<std::string> assembly;
@@ -45,10 +55,16 @@ struct CadPart {
   std::shared_ptr<const std::vector<CadBody>> bodies;
   /// Of each body.
   std::vector<CadColor> colors;
+  /// Of each body; none where all bodies of the part have one colour and no face has another.
+  std::shared_ptr<const std::vector<CadFaces>> faces = {};
   Placement placement;
 
   /// The one that all bodies have, else none.
   CadColor color() const;
+  /// The colours of the faces of some bodies, which are numbered through.
+  PaintedFaces painted(const std::vector<std::size_t>& of) const;
+  /// The same of the body `of[only]` alone, whose faces have the numbers that they have there.
+  PaintedFaces painted(const std::vector<std::size_t>& of, std::size_t only) const;
 };
 
 struct CadFile {

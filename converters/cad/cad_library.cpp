@@ -15,6 +15,8 @@
 
 #include <map>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -133,6 +135,23 @@ void for_parts(CadFile& file, const OcctSession& session, const std::string& pat
   if (failures == static_cast<std::int64_t>(file.parts.size())) throw InputError(first, path);
 }
 
+/// The colours of parts that have several, those of instances made once.
+class Paints {
+ public:
+  PaintedFaces of(const CadPart& part, const std::vector<std::size_t>& bodies) {
+    if (!part.faces) return {part.color().hex, {}};
+    Key key{part.faces.get(), bodies, {}};
+    for (const CadColor& color : part.colors) std::get<2>(key).push_back(color.hex);
+    const auto [at, is_new] = known_.try_emplace(std::move(key));
+    if (is_new) at->second = part.painted(bodies);
+    return at->second;
+  }
+
+ private:
+  using Key = std::tuple<const void*, std::vector<std::size_t>, std::vector<std::string>>;
+  std::map<Key, PaintedFaces> known_;
+};
+
 /// The bodies of a part that can be chosen one by one.
 std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
                              const Placement& place) {
@@ -141,9 +160,11 @@ std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
   for (std::size_t i = 0; i < made.bodies->size(); ++i) {
     const BrepBody& body = (*made.bodies)[i];
     const CadColor& color = part.colors[made.from[i]];
+    PaintedFaces paint{color.hex, {}};
+    if (part.faces) paint = part.painted(made.from, i);
     pieces.push_back({(*part.bodies)[made.from[i]].name,
                       std::make_shared<BrepForm>(body.model, after(place, body.placement)),
-                      color.hex, color.opacity});
+                      std::move(paint.color), color.opacity, std::move(paint.faces)});
   }
   return pieces;
 }
@@ -160,13 +181,15 @@ Scene read(const std::filesystem::path& path, const std::string& encoding, RunCo
   Scene scene;
   scene.diagnostics = std::move(file.diagnostics);
   Models models(session, path.string(), scene.diagnostics);
+  Paints paints;
   for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& cad) {
     const Models::Made& made = models.of(cad);
     const Placement place = place_of(cad);
-    const CadColor color = cad.color();
-    Part part{std::move(cad.name),     path.string(), form_of(made, place),
-              std::move(cad.assembly), color.hex,     std::move(cad.definition)};
-    part.opacity = color.opacity;
+    PaintedFaces paint = paints.of(cad, made.from);
+    Part part{std::move(cad.name),     path.string(),          form_of(made, place),
+              std::move(cad.assembly), std::move(paint.color), std::move(cad.definition)};
+    part.opacity = cad.color().opacity;
+    part.face_colors = std::move(paint.faces);
     part.pieces = pieces_of(cad, made, place);
     scene.parts.push_back(std::move(part));
   });
@@ -184,6 +207,7 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
   info.diagnostics = std::move(file.diagnostics);
   Models models(session, info.file, info.diagnostics);
   std::map<std::size_t, std::int32_t> first;  // part of each model
+  Paints paints;
   for_parts(file, session, info.file, info.diagnostics, context, [&](CadPart& part) {
     const Models::Made& made = models.of(part);
     PartInfo p = measure(*made.bodies, place_of(part));
@@ -192,9 +216,10 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     if (!is_new) p.same_shape_as = it->second;
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
-    CadColor color = part.color();
-    p.color = std::move(color.hex);
-    p.opacity = color.opacity;
+    PaintedFaces paint = paints.of(part, made.from);
+    p.colors = count_colors(paint.color, paint.faces.get());
+    p.color = std::move(paint.color);
+    p.opacity = part.color().opacity;
     info.parts.push_back(std::move(p));
   });
   return info;

@@ -169,6 +169,7 @@ class Collector {
     part.assembly = assembly;
     std::ranges::transform(*part.bodies, part.colors.begin(),
                            [&](const CadBody& body) { return colors.of(body); });
+    part.faces = colors.faces_of(*part.bodies, part.colors);
     parts.push_back(std::move(part));
   }
 
@@ -224,6 +225,7 @@ class Collector {
   struct Product {
     std::shared_ptr<const std::vector<CadBody>> bodies;
     std::vector<CadColor> colors;
+    std::shared_ptr<const std::vector<CadFaces>> faces;
     /// What of it belongs to no face; one thing where there is nothing at all.
     Loose left_out;
   };
@@ -250,8 +252,10 @@ class Collector {
     const LabelColors colors(colors_, label);
     std::ranges::transform(*part.bodies, part.colors.begin(),
                            [&](const CadBody& body) { return colors.of(body); });
+    part.faces = colors.faces_of(*part.bodies, part.colors);
     const bool nothing = part.bodies->empty() && loose.count() == 0;
-    at->second = {std::move(part.bodies), std::move(part.colors), nothing ? Loose{0, 1} : loose};
+    at->second = {std::move(part.bodies), std::move(part.colors), std::move(part.faces),
+                  nothing ? Loose{0, 1} : loose};
     return at->second;
   }
 
@@ -266,6 +270,7 @@ class Collector {
     if (is_meaningless(part.definition)) part.definition.clear();
     part.bodies = product.bodies;
     part.colors = product.colors;
+    if (place.instance_color.hex.empty()) part.faces = product.faces;
     part.placement = placement_of(place.location);
     for (CadColor& color : part.colors) {
       if (!place.instance_color.hex.empty()) color = place.instance_color;

@@ -2,16 +2,44 @@
 
 #include <burin/base/ascii.h>
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <Quantity_ColorRGBA.hxx>
+#include <Standard_Failure.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
+namespace {
+
+/// 0 where OCCT cannot tell.
+double area_of(const TopoDS_Shape& face) {
+  try {
+    GProp_GProps sums;
+    BRepGProp::SurfaceProperties(face, sums);
+    return std::abs(sums.Mass());
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
+}  // namespace
+
+std::vector<double> face_areas(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  std::vector<double> areas;
+  for (int f = 1; f <= faces.Extent(); ++f) areas.push_back(area_of(faces(f)));
+  return areas;
+}
 
 CadColor label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label) {
   Quantity_ColorRGBA color;
@@ -47,27 +75,58 @@ void LabelColors::add(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& l
   colors_.push_back(std::move(color));
 }
 
-CadColor LabelColors::common(const std::vector<TopoDS_Shape>& faces) const {
-  CadColor common;
-  for (const TopoDS_Shape& face : faces) {
-    if (!index_.IsBound(face)) return {};
-    const CadColor& color = colors_[static_cast<std::size_t>(index_(face))];
-    if (!common.hex.empty() && color != common) return {};
-    common = color;
+const CadColor* LabelColors::find(const TopoDS_Shape& shape) const {
+  const int* index = index_.Seek(shape);
+  return index ? &colors_[static_cast<std::size_t>(*index)] : nullptr;
+}
+
+std::vector<const CadColor*> LabelColors::face_colors(const CadBody& body) const {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
+  const auto count = static_cast<std::size_t>(faces.Extent());
+  std::vector<const CadColor*> out(count, nullptr);
+  for (TopExp_Explorer shell(body.shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+    const CadColor* color = find(shell.Current());
+    if (!color) continue;
+    for (TopExp_Explorer it(shell.Current(), TopAbs_FACE); it.More(); it.Next()) {
+      out[static_cast<std::size_t>(faces.FindIndex(it.Current())) - 1] = color;
+    }
   }
-  return common;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool was_sewn = body.sewn_from.size() == count;
+    const TopoDS_Shape& face =
+        was_sewn ? body.sewn_from[i] : faces.FindKey(static_cast<int>(i) + 1);
+    if (const CadColor* own = find(face)) out[i] = own;
+  }
+  return out;
 }
 
 CadColor LabelColors::of(const CadBody& body) const {
-  if (index_.IsBound(body.shape)) return colors_[static_cast<std::size_t>(index_(body.shape))];
-  if (!whole_.hex.empty()) return whole_;
-  std::vector<TopoDS_Shape> faces = body.sewn_from;
-  if (faces.empty()) {
-    for (TopExp_Explorer it(body.shape, TopAbs_FACE); it.More(); it.Next()) {
-      faces.push_back(it.Current());
+  const CadColor* own = find(body.shape);
+  const CadColor color = own ? *own : whole_;
+  if (colors_.empty()) return color;
+  const std::vector<const CadColor*> faces = face_colors(body);
+  const auto as_first = [&](const CadColor* one) { return one && *one == *faces.front(); };
+  return !faces.empty() && std::ranges::all_of(faces, as_first) ? *faces.front() : color;
+}
+
+std::shared_ptr<const std::vector<CadFaces>> LabelColors::faces_of(
+    const std::vector<CadBody>& bodies, const std::vector<CadColor>& colors) const {
+  std::vector<CadFaces> out(bodies.size());
+  bool differ = std::ranges::any_of(colors, [&](const CadColor& c) { return c != colors[0]; });
+  if (!differ && colors_.empty()) return nullptr;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const CadColor* own : face_colors(bodies[i])) {
+      const bool has_own = own && own->hex != colors[i].hex;
+      out[i].color.push_back(has_own ? own->hex : std::string());
+      differ = differ || has_own;
     }
   }
-  return common(faces);
+  if (!differ) return nullptr;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    out[i].area = face_areas(bodies[i].shape);
+  }
+  return std::make_shared<const std::vector<CadFaces>>(std::move(out));
 }
 
 }  // namespace burin

@@ -158,6 +158,35 @@ CadColor CadPart::color() const {
   return std::ranges::all_of(colors, same) ? colors.front() : CadColor{};
 }
 
+PaintedFaces CadPart::painted(const std::vector<std::size_t>& of) const {
+  std::vector<std::string> color;
+  std::vector<double> area;
+  for (const std::size_t i : of) {
+    const CadFaces& one = (*faces)[i];
+    for (const std::string& own : one.color) color.push_back(own.empty() ? colors[i].hex : own);
+    area.insert(area.end(), one.area.begin(), one.area.end());
+  }
+  return painted_faces(color, area);
+}
+
+PaintedFaces CadPart::painted(const std::vector<std::size_t>& of, std::size_t only) const {
+  const CadFaces& own = (*faces)[of[only]];
+  const auto as_first = [&](const std::string& one) { return one == own.color.front(); };
+  if (own.color.empty() || std::ranges::all_of(own.color, as_first)) {
+    const bool none = own.color.empty() || own.color.front().empty();
+    return {none ? colors[of[only]].hex : own.color.front(), {}};
+  }
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < only; ++i) before += (*faces)[of[i]].color.size();
+  std::vector<std::string> color(before);
+  std::vector<double> area(before, 0);
+  for (const std::string& one : own.color) {
+    color.push_back(one.empty() ? colors[of[only]].hex : one);
+  }
+  area.insert(area.end(), own.area.begin(), own.area.end());
+  return painted_faces(color, area);
+}
+
 void make_names_unique(std::vector<CadPart>& parts) {
   NumberedNames names;
   for (CadPart& part : parts) part.name = names.name(part.assembly, part.name);

@@ -5,6 +5,7 @@
 #include <burin/forms/brep/occt/brep_model.h>
 
 #include "collect.h"
+#include "colors.h"
 #include "measure.h"
 #include "occt_session.h"
 #include "trimmed_face.h"
@@ -35,6 +36,12 @@ class ShapeInMemory final : public BrepShape {
     PartInfo info;
     session.guarded({}, [&] { info = burin::measure(*model_, placement); });
     return info;
+  }
+  std::vector<double> face_areas() const override {
+    const OcctSession session(OcctSession::Of::Shapes);
+    std::vector<double> areas;
+    session.guarded({}, [&] { areas = burin::face_areas(model_->shape()); });
+    return areas;
   }
   bool valid() const override {
     const OcctSession session(OcctSession::Of::Shapes);

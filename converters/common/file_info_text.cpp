@@ -42,6 +42,7 @@ std::string brief(const PartInfo& p) {
   text += size(p.bounds) + ", " + surface(p);
   if (p.solids && p.closed()) text += fmt::format(", {:.6g} mm3", p.volume);
   if (!p.color.empty()) text += ", " + p.color;
+  if (p.colors > 1) text += fmt::format(", in {} colours", p.colors);
   if (p.opacity < 1) text += fmt::format(", opacity {:.3g}", p.opacity);
   if (p.same_shape_as >= 0) text += fmt::format(", same shape as part {}", p.same_shape_as);
   return text;
@@ -129,6 +130,7 @@ Json to_json(const FileInfo& info) {
     Json part = {{"id", i}, {"name", p.name}};
     if (!p.assembly.empty()) part["assembly"] = p.assembly;
     if (!p.color.empty()) part["color"] = p.color;
+    if (p.colors > 1) part["colors"] = p.colors;
     if (p.opacity < 1) part["opacity"] = p.opacity;
     if (p.same_shape_as >= 0) part["same_shape_as"] = p.same_shape_as;
     part.update(to_json(p));
@@ -185,7 +187,8 @@ std::string to_text(const FileInfo& info) {
   const PartInfo& first = info.parts.empty() ? all : info.parts.front();
   // A part alone that is called as its file has nothing to tell that does not stand above.
   if (info.parts.size() > 1 || !first.assembly.empty() || !first.color.empty() ||
-      first.opacity < 1 || (!info.parts.empty() && first.name != model_stem(info.file))) {
+      first.colors > 1 || first.opacity < 1 ||
+      (!info.parts.empty() && first.name != model_stem(info.file))) {
     for (std::size_t i = 0; i < info.parts.size(); ++i) {
       line(fmt::format("part {}", i).c_str(), brief(info.parts[i]));
     }

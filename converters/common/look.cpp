@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -48,18 +49,72 @@ std::optional<Rgba> hex_color(std::string_view text) {
   return color;
 }
 
-void EvenLook::add(const std::optional<Rgba>& color) {
-  if (any_ && color != color_) several_ = true;
-  any_ = true;
-  color_ = color;
+void FaceLooks::add(const std::optional<Rgba>& color, std::size_t faces) {
+  if (faces == 0 || too_many()) return;
+  const auto [at, is_new] = numbers_.try_emplace(color, static_cast<std::int32_t>(looks_.size()));
+  if (is_new) looks_.push_back(color);
+  if (too_many()) return of_face_.clear();
+  if (numbers_.size() > 1) {
+    of_face_.resize(count_, 0);
+    of_face_.resize(count_ + faces, at->second);
+  }
+  count_ += faces;
 }
 
-Appearance EvenLook::look() const { return several_ || !color_ ? Appearance{} : look_of(*color_); }
+Appearance FaceLooks::look() const {
+  return looks_.size() == 1 && looks_[0] ? look_of(*looks_[0]) : Appearance{};
+}
 
-void report_several_colors(std::int64_t parts, Diagnostics& diagnostics) {
+std::shared_ptr<const FaceColors> FaceLooks::colors() const {
+  if (numbers_.size() < 2 || too_many()) return nullptr;
+  FaceColors out;
+  std::map<std::string, std::int32_t> places;
+  std::vector<std::int32_t> place;  // of each look
+  for (const std::optional<Rgba>& look : looks_) {
+    if (!look) {
+      place.push_back(-1);
+      continue;
+    }
+    const auto [at, is_new] =
+        places.try_emplace(look_of(*look).color, static_cast<std::int32_t>(out.colors.size()));
+    if (is_new) out.colors.push_back(at->first);
+    place.push_back(at->second);
+  }
+  out.of_face.reserve(of_face_.size());
+  for (const std::int32_t look : of_face_) {
+    out.of_face.push_back(place[static_cast<std::size_t>(look)]);
+  }
+  return std::make_shared<const FaceColors>(std::move(out));
+}
+
+std::optional<Rgba> color_of_corners(std::span<const std::optional<Rgba>> corners) {
+  std::optional<Rgba> best;
+  std::ptrdiff_t most = 0;
+  for (const std::optional<Rgba>& one : corners) {
+    const std::ptrdiff_t count = std::ranges::count(corners, one);
+    if (count > most) best = one;
+    most = std::max(most, count);
+  }
+  return best;
+}
+
+FaceLooks looks_by_vertices(const PolygonSoup& soup, std::span<const std::optional<Rgba>> colors) {
+  FaceLooks looks;
+  std::vector<std::optional<Rgba>> corners;
+  for (std::size_t f = 0; f + 1 < soup.offsets.size() && !looks.too_many(); ++f) {
+    corners.clear();
+    for (std::size_t c = soup.offsets[f]; c < soup.offsets[f + 1]; ++c) {
+      corners.push_back(soup.indices[c] < colors.size() ? colors[soup.indices[c]] : std::nullopt);
+    }
+    looks.add(color_of_corners(corners));
+  }
+  return looks;
+}
+
+void report_many_colors(std::int64_t parts, Diagnostics& diagnostics) {
   if (parts == 0) return;
-  diagnostics.add(Severity::Info, "mesh.several_colors", parts,
-                  "parts have faces of several colours; a part has one colour, so these have none");
+  diagnostics.add(Severity::Info, "mesh.many_colors", parts,
+                  "parts have faces of more than 64 colours; they are drawn as if they had none");
 }
 
 }  // namespace burin

@@ -2,12 +2,19 @@
 /// Colours of files, and what a part has of those of its faces.
 
 #include <burin/base/diagnostics.h>
+#include <burin/mesh/tri_mesh.h>
+#include <burin/surface/face_colors.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -37,24 +44,36 @@ LinearColor in_light(const Rgba& color);
 std::optional<Rgba> hex_color(std::string_view text);
 
 /// The look of a part whose faces have colours of their own: theirs where it is one.
-class EvenLook {
+class FaceLooks {
  public:
-  /// Of the next face; absent: it has none.
-  void add(const std::optional<Rgba>& color);
-  /// Of a face whose corners differ.
-  void add_uneven() { several_ = true; }
-  /// Whether there was a face with a colour, or one whose corners differ.
-  bool any() const { return color_.has_value() || several_; }
-  /// Whether faces differ.
-  bool several() const { return several_; }
+  /// Of the next faces, which look alike; absent: they have none.
+  void add(const std::optional<Rgba>& color, std::size_t faces = 1);
+  /// Whether there was a face with a colour.
+  bool any() const { return numbers_.size() > numbers_.count(std::nullopt); }
+  /// Whether faces have so many colours that they are no areas: as of a photograph, or of values.
+  bool too_many() const { return numbers_.size() > kMost; }
+  /// Of all faces, or empty where they differ.
   Appearance look() const;
+  /// By face, in their order; absent where they look alike, and where there are too many.
+  std::shared_ptr<const FaceColors> colors() const;
 
  private:
-  bool any_ = false, several_ = false;
-  std::optional<Rgba> color_;
+  static constexpr std::size_t kMost = 64;
+
+  std::map<std::optional<Rgba>, std::int32_t> numbers_;
+  std::vector<std::optional<Rgba>> looks_;
+  /// Of each face its place in `looks_`; kept where there are several.
+  std::vector<std::int32_t> of_face_;
+  std::size_t count_ = 0;
 };
 
-/// Says that so many parts have no colour, since their faces have several.
-void report_several_colors(std::int64_t parts, Diagnostics& diagnostics);
+/// The colour that most corners of a face have, the first of them that is so.
+std::optional<Rgba> color_of_corners(std::span<const std::optional<Rgba>> corners);
+
+/// The look of polygons whose vertices have colours, one a position; fewer: none has any.
+FaceLooks looks_by_vertices(const PolygonSoup& soup, std::span<const std::optional<Rgba>> colors);
+
+/// Says that so many parts have no colour, since their faces have too many.
+void report_many_colors(std::int64_t parts, Diagnostics& diagnostics);
 
 }  // namespace burin

@@ -20,6 +20,7 @@ PartInfo measure_realised_part(const Part& part, Diagnostics& diagnostics, RunCo
   PartInfo info;
   info.name = part.name;
   info.color = part.color;
+  info.colors = count_colors(part.color, part.face_colors.get());
   info.opacity = part.opacity;
   info.bounds = part.form->bounds(Mat3(1));
   RealiseOptions realise;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -28,6 +29,8 @@ struct FcLook {
   std::string color;
   /// 1 hides what is behind, 0 is not seen at all.
   double opacity = 1;
+  /// Of each face, where they differ.
+  std::shared_ptr<const std::vector<std::string>> faces = {};
 };
 
 /// What FreeCAD adds to an object of any type ("App::LinkExtensionPython"), as far as it says where

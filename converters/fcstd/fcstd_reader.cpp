@@ -92,6 +92,8 @@ class Maker {
     bool empty = false, no_face = false;
     /// The first part that shows it.
     std::int32_t first = -1;
+    /// As those of BrepShape; found where faces have several colours.
+    std::optional<std::vector<double>> face_areas = {};
   };
 
   void broken(const FcUse& use, const std::string& why) {
@@ -148,13 +150,22 @@ class Maker {
   void add_brep(const FcUse& use, Shape& shape) {
     const Placement place = use.own ? after(use.placement, shape.brep->own()) : use.placement;
     if (flattens(use, place)) return;
+    const PaintedFaces paint = paint_of(use, shape);
     if (measures_) {
       PartInfo info = shape.brep->measure(place);
       info.same_shape_as = shape.first;
       if (shape.first < 0) shape.first = static_cast<std::int32_t>(made_.infos.size());
-      push(use, std::move(info));
+      push(use, paint, std::move(info));
     }
-    push(use, shape.brep->form(place));
+    push(use, paint, shape.brep->form(place));
+  }
+
+  /// A list of another length is of another shape.
+  static PaintedFaces paint_of(const FcUse& use, Shape& shape) {
+    if (!use.look.faces) return {use.look.color, {}};
+    if (!shape.face_areas) shape.face_areas = shape.brep->face_areas();
+    if (shape.face_areas->size() != use.look.faces->size()) return {use.look.color, {}};
+    return painted_faces(*use.look.faces, *shape.face_areas);
   }
 
   bool flattens(const FcUse& use, const Placement& place) {
@@ -175,25 +186,28 @@ class Maker {
       d.message = use.name + ": " + d.message;
       made_.diagnostics.add(std::move(d));
     }
-    if (measures_) push(use, measure_mesh_part(scene.parts.front(), context_));
-    push(use, std::move(scene.parts.front().form));
+    const PaintedFaces paint{use.look.color, {}};
+    if (measures_) push(use, paint, measure_mesh_part(scene.parts.front(), context_));
+    push(use, paint, std::move(scene.parts.front().form));
   }
 
-  void push(const FcUse& use, PartInfo info) {
+  void push(const FcUse& use, const PaintedFaces& paint, PartInfo info) {
     info.name = use.name;
     info.assembly = use.assembly;
-    info.color = use.look.color;
+    info.color = paint.color;
+    info.colors = count_colors(paint.color, paint.faces.get());
     info.opacity = use.look.opacity;
     made_.infos.push_back(std::move(info));
   }
-  void push(const FcUse& use, std::shared_ptr<const Form> form) {
+  void push(const FcUse& use, const PaintedFaces& paint, std::shared_ptr<const Form> form) {
     made_.parts.push_back({.name = use.name,
                            .source = path_.string(),
                            .form = std::move(form),
                            .assembly = use.assembly,
-                           .color = use.look.color,
+                           .color = paint.color,
                            .definition = use.definition,
-                           .opacity = use.look.opacity});
+                           .opacity = use.look.opacity,
+                           .face_colors = paint.faces});
     pushed_.push_back(&use);
   }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -24,23 +26,25 @@ std::string packed_color(const pugi::xml_node& node, const char* attribute) {
                                              : std::string();
 }
 
-/// The look that all entries of a list of the archive share; those that differ leave no colour, and
-/// the opacity of what covers most.
+/// The look that all entries of a list of the archive share, else one a face, and the opacity of
+/// what covers most.
 class CommonLook {
  public:
   void add(std::uint32_t packed, double transparency) {
-    const std::string one = hex(packed);
-    if (count_++ > 0 && one != look_.color) differ_ = true;
-    if (count_ == 1) look_ = {one, 0};
-    look_.opacity = std::max(look_.opacity, opacity_of(transparency));
+    colors_.push_back(hex(packed));
+    opacity_ = std::max(opacity_, opacity_of(transparency));
   }
-  bool empty() const { return count_ == 0; }
-  FcLook look() const { return {differ_ ? std::string() : look_.color, look_.opacity}; }
+  bool empty() const { return colors_.empty(); }
+  FcLook look() && {
+    if (empty()) return {};
+    const auto as_first = [&](const std::string& one) { return one == colors_.front(); };
+    if (std::ranges::all_of(colors_, as_first)) return {colors_.front(), opacity_};
+    return {{}, opacity_, std::make_shared<const std::vector<std::string>>(std::move(colors_))};
+  }
 
  private:
-  std::size_t count_ = 0;
-  bool differ_ = false;
-  FcLook look_;
+  std::vector<std::string> colors_;
+  double opacity_ = 0;
 };
 
 std::uint32_t word(const std::string& bytes, std::size_t offset) {
@@ -104,8 +108,8 @@ void apply_view(const pugi::xml_node& provider,
   }
   object.look = shape.color.empty() ? material : shape;
   if (!faces.empty()) {
-    const CommonLook common = look_of_colors(list(faces));
-    if (!common.empty()) object.look = common.look();
+    CommonLook common = look_of_colors(list(faces));
+    if (!common.empty()) object.look = std::move(common).look();
   }
   if (!materials.empty()) object.look = look_of_materials(list(materials)).look();
 }

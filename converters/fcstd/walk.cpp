@@ -226,7 +226,7 @@ void FcWalk::leaf(const FcDocument& document, const FcObject& object, const Plac
   if (shape != &object) use.own = true;
   use.look = object.look;
   if (tip != nullptr) use.look.opacity = tip->look.opacity;
-  if (tip != nullptr && !tip->look.color.empty()) use.look.color = tip->look.color;
+  if (tip != nullptr && (!tip->look.color.empty() || tip->look.faces)) use.look = tip->look;
   if (place.look) use.look = *place.look;
   uses.push_back(std::move(use));
 }

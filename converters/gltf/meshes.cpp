@@ -143,31 +143,45 @@ std::vector<Vec3> Meshes::positions(const tinygltf::Primitive& primitive, const 
   return points;
 }
 
-/// The colour that all vertices have, white where they have none; not even where they differ.
-std::optional<LinearColor> Meshes::vertex_color(const tinygltf::Primitive& primitive,
-                                                bool& even) const {
+/// By vertices; empty where they have none.
+std::vector<std::optional<LinearColor>> Meshes::vertex_colors(
+    const tinygltf::Primitive& primitive) const {
   const int of_colors = attribute(primitive.attributes, "COLOR_0");
-  if (of_colors < 0) return std::nullopt;
+  if (of_colors < 0) return {};
   const Rows rows = accessors_.read(of_colors);
-  if (rows.count() == 0 || rows.width < 3) return std::nullopt;
-  const auto at = [&](std::size_t i) {
-    return LinearColor{rows.at(i, 0), rows.at(i, 1), rows.at(i, 2),
-                       rows.width > 3 ? rows.at(i, 3) : 1};
-  };
-  const LinearColor first = at(0);
-  for (std::size_t i = 1; i < rows.count() && even; ++i) even = at(i) == first;
-  return first;
+  if (rows.width < 3) return {};
+  std::vector<std::optional<LinearColor>> out;
+  out.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    out.push_back(LinearColor{rows.at(i, 0), rows.at(i, 1), rows.at(i, 2),
+                              rows.width > 3 ? rows.at(i, 3) : 1});
+  }
+  return out;
 }
 
-void Meshes::add_look(const tinygltf::Primitive& primitive, Shape& shape) const {
-  bool even = true;
-  std::optional<LinearColor> color = color_of(model_, primitive.material);
-  if (const auto of_vertices = vertex_color(primitive, even)) {
-    if (!even) return shape.look.add_uneven();
-    if (!color && primitive.material < 0) color = LinearColor{1, 1, 1, 1};
-    for (std::size_t i = 0; color && i < 3; ++i) (*color)[i] *= (*of_vertices)[i];
+/// The colours of triangles, given by the vertices of their corners: that of the material times
+/// those of the vertices; without a material it is white.
+void Meshes::add_looks(const tinygltf::Primitive& primitive,
+                       std::span<const std::uint32_t> vertices, Shape& shape) const {
+  const std::optional<LinearColor> material = color_of(model_, primitive.material);
+  const auto shown = [](const std::optional<LinearColor>& color) {
+    return color ? std::optional(displayed(*color)) : std::nullopt;
+  };
+  const std::vector<std::optional<LinearColor>> colors = vertex_colors(primitive);
+  // Of a material that is a picture nothing is known.
+  if (colors.empty() || (!material && primitive.material >= 0)) {
+    return shape.look.add(shown(material), vertices.size() / 3);
   }
-  shape.look.add(color ? std::optional(displayed(*color)) : std::nullopt);
+  const LinearColor base = material.value_or(LinearColor{1, 1, 1, 1});
+  std::array<std::optional<Rgba>, 3> corners;
+  for (std::size_t c = 0; c < vertices.size(); ++c) {
+    std::optional<LinearColor> color;
+    if (vertices[c] < colors.size()) color = colors[vertices[c]];
+    for (std::size_t i = 0; color && i < 3; ++i) (*color)[i] *= base[i];
+    if (color) (*color)[3] = base[3];
+    corners[c % 3] = shown(color);
+    if (c % 3 == 2) shape.look.add(color_of_corners(corners));
+  }
 }
 
 void Meshes::add(const tinygltf::Primitive& primitive, const Weights& weights, const Joints& joints,
@@ -190,6 +204,8 @@ void Meshes::add(const tinygltf::Primitive& primitive, const Weights& weights, c
     uv = accessors_.read(of_uv, 2);
   }
   const Corners corners(primitive.mode, listed);
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(3 * corners.count());
   Taken taken(shape.soup, points_);
   for (std::size_t t = 0; t < corners.count(); ++t) {
     source_.context().check();
@@ -201,6 +217,7 @@ void Meshes::add(const tinygltf::Primitive& primitive, const Weights& weights, c
                         "damaged, export it again",
                         v, points_.size()));
       }
+      vertices.push_back(v);
       shape.soup.indices.push_back(taken.place(v));
       // The picture's v goes down.
       shape.soup.texture.push_back(v < uv.count()
@@ -209,7 +226,7 @@ void Meshes::add(const tinygltf::Primitive& primitive, const Weights& weights, c
     }
     shape.soup.offsets.push_back(shape.soup.indices.size());
   }
-  add_look(primitive, shape);
+  add_looks(primitive, vertices, shape);
 }
 
 std::vector<MeshShape> Meshes::made(const tinygltf::Mesh& mesh, const Weights& weights,
@@ -231,7 +248,8 @@ std::vector<MeshShape> Meshes::made(const tinygltf::Mesh& mesh, const Weights& w
   std::vector<MeshShape> out;
   for (auto& [key, shape] : shapes) {
     if (shape.soup.polygon_count() == 0) continue;
-    several_colors_ += shape.look.several();
+    many_colors_ += shape.look.too_many();
+    colors_.push_back(shape.look.colors());
     out.push_back({objects_.size(), shapes.size() > 1 ? clean_name(shape.material) : std::string(),
                    shape.look.look()});
     shape.soup.name = clean_name(mesh.name);

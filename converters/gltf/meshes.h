@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -49,15 +50,17 @@ class Meshes {
   bool has_skin(const tinygltf::Node& node) const;
 
   std::vector<PolygonSoup> take() { return std::move(objects_); }
-  /// Primitives that are no triangles, and shapes of several colours.
+  /// As those of MeshFile.
+  std::vector<std::shared_ptr<const FaceColors>> take_colors() { return std::move(colors_); }
+  /// Primitives that are no triangles, and shapes of too many colours.
   std::int64_t not_drawn() const { return not_drawn_; }
-  std::int64_t several_colors() const { return several_colors_; }
+  std::int64_t many_colors() const { return many_colors_; }
   const Accessors& accessors() const { return accessors_; }
 
  private:
   struct Shape {
     PolygonSoup soup;
-    EvenLook look;
+    FaceLooks look;
     std::string material;
   };
   using Weights = std::vector<double>;
@@ -69,8 +72,9 @@ class Meshes {
                               const Joints& joints);
   void pose(const tinygltf::Primitive& primitive, const Joints& joints,
             std::vector<Vec3>& points) const;
-  std::optional<LinearColor> vertex_color(const tinygltf::Primitive& primitive, bool& even) const;
-  void add_look(const tinygltf::Primitive& primitive, Shape& shape) const;
+  std::vector<std::optional<LinearColor>> vertex_colors(const tinygltf::Primitive& primitive) const;
+  void add_looks(const tinygltf::Primitive& primitive, std::span<const std::uint32_t> vertices,
+                 Shape& shape) const;
   void add(const tinygltf::Primitive& primitive, const Weights& weights, const Joints& joints,
            Shape& shape);
   std::vector<MeshShape> made(const tinygltf::Mesh& mesh, const Weights& weights,
@@ -80,6 +84,7 @@ class Meshes {
   const Source& source_;
   Accessors accessors_;
   std::vector<PolygonSoup> objects_;
+  std::vector<std::shared_ptr<const FaceColors>> colors_;
   /// By mesh and weights; those with skins are made for their nodes alone.
   std::map<std::pair<int, Weights>, std::vector<MeshShape>> made_;
   std::vector<MeshShape> skinned_;
@@ -87,7 +92,7 @@ class Meshes {
   int points_of_ = -1;
   std::vector<Vec3> points_;
   std::size_t corners_ = 0;
-  std::int64_t not_drawn_ = 0, several_colors_ = 0;
+  std::int64_t not_drawn_ = 0, many_colors_ = 0;
 };
 
 }  // namespace burin::gltf

@@ -86,6 +86,7 @@ class Nodes {
     count_users();
     for (const Visit& visit : visits_) emit(visit);
     report();
+    file_.polygon_colors = meshes_.take_colors();
     file_.objects = meshes_.take();
     if (file_.uses.empty()) {
       if (missing_ > 0)
@@ -289,7 +290,7 @@ void Nodes::report() {
     file_.diagnostics.add(Severity::Info, "gltf.hidden", hidden_,
                           "nodes that the glTF hides were left out, with all below them");
   }
-  report_several_colors(meshes_.several_colors(), file_.diagnostics);
+  report_many_colors(meshes_.many_colors(), file_.diagnostics);
 }
 
 }  // namespace

@@ -108,22 +108,14 @@ std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> na
   return names;
 }
 
-/// One use a group, with the colour that its faces have.
+/// One use a group, with the colours that its faces have.
 void add_looks(const GroupedFaces& faces, std::size_t groups, MeshFile& file) {
   if (faces.color.empty()) return;
-  std::vector<EvenLook> looks(groups);
+  std::vector<FaceLooks> looks(groups);
   for (std::size_t f = 0; f < faces.group.size(); ++f) {
-    EvenLook& look = looks[faces.group[f]];
-    look.add(faces.color[f]);
-    if (!faces.uneven.empty() && faces.uneven[f] != 0) look.add_uneven();
+    looks[faces.group[f]].add(faces.color[f]);
   }
-  std::int64_t several = 0;
-  for (std::size_t g = 0; g < groups; ++g) {
-    Appearance look = looks[g].look();
-    several += looks[g].several();
-    file.uses.push_back({.object = g, .color = std::move(look.color), .opacity = look.opacity});
-  }
-  report_several_colors(several, file.diagnostics);
+  for (const FaceLooks& one : looks) add_use(one, file);
 }
 
 std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> names,
@@ -168,10 +160,12 @@ bool has_repeated(std::vector<std::string> names) {
 
 }  // namespace
 
-MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
-  report_several_colors(look.several() ? 1 : 0, diagnostics);
-  Appearance one = look.look();
-  return {.color = std::move(one.color), .opacity = one.opacity};
+void add_use(const FaceLooks& looks, MeshFile& file) {
+  report_many_colors(looks.too_many() ? 1 : 0, file.diagnostics);
+  Appearance one = looks.look();
+  file.polygon_colors.push_back(looks.colors());
+  file.uses.push_back(
+      {.object = file.uses.size(), .color = std::move(one.color), .opacity = one.opacity});
 }
 
 void split_groups(GroupedFaces faces, MeshFile& file, const RunContext& context) {

@@ -27,8 +27,6 @@ struct GroupedFaces {
   std::vector<std::string> names;
   /// For each face its colour; empty where none has any.
   std::vector<std::optional<Rgba>> color = {};
-  /// Whether the corners of a face have several; empty: none does.
-  std::vector<std::uint8_t> uneven = {};
   /// Connected: groups whose open borders fit together become one part: many programs write the
   /// faces or materials of one closed body as groups, and its inner borders are no ends of the
   /// surface; and so do open ones of one name. OneName: only those of one name whose borders fit.
@@ -36,8 +34,8 @@ struct GroupedFaces {
   enum class Join { None, OneName, Connected } join = Join::None;
 };
 
-/// The one object of a file as its faces look.
-MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics);
+/// Adds a use of the next object, which looks so; with `polygon_colors` where its faces differ.
+void add_use(const FaceLooks& looks, MeshFile& file);
 
 /// Adds one object a group that has faces, in the order of their first faces; what looks even has
 /// its colour.

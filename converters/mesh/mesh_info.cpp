@@ -30,6 +30,7 @@ void copy_words(const Part& part, PartInfo& info) {
   info.name = part.name;
   info.assembly = part.assembly;
   info.color = part.color;
+  info.colors = count_colors(part.color, part.face_colors.get());
   info.opacity = part.opacity;
 }
 

@@ -8,6 +8,7 @@
 #include <burin/surface/placed_form.h>
 
 #include "given_name.h"
+#include "painted_mesh.h"
 #include "text.h"
 #include "texture.h"
 
@@ -49,6 +50,7 @@ class Parts {
     use_each_once(file_);
     several_ = file_.uses.size() > 1;
     shared_.resize(file_.objects.size());
+    file_.polygon_colors.resize(file_.objects.size());
     left_.resize(file_.objects.size());
     for (const MeshUse& use : file_.uses) ++left_[use.object];
     uses_ = left_;
@@ -69,6 +71,11 @@ class Parts {
   struct Shared {
     bool made = false;
     std::optional<Placer> placer;
+    PaintedFaces colors;
+  };
+  struct Made {
+    std::shared_ptr<const Form> form;
+    PaintedFaces colors;
   };
 
   std::string name_of(const MeshUse& use) const {
@@ -82,52 +89,67 @@ class Parts {
     return file_.objects[object];
   }
 
-  std::shared_ptr<const Form> form_of(PolygonSoup soup, const std::string& name) {
+  /// `colors`: of the polygons; absent: they look alike.
+  Made form_of(PolygonSoup soup, const FaceColors* colors, const std::string& name) {
     Diagnostics diagnostics;
-    std::shared_ptr<const Form> form;
+    Made made;
     try {
       drop_empty_texture(soup);
       auto texture = texture_of(soup, context_);
       report_partly_textured(soup, diagnostics);
+      const PolygonSoup before = colors ? soup : PolygonSoup();
       TriMesh mesh = repair(std::move(soup), {}, diagnostics, context_);
-      form = std::make_shared<MeshForm>(std::move(mesh), std::move(texture));
+      PaintedMesh painted = colors ? paint_mesh(mesh, before, *colors, context_) : PaintedMesh();
+      made.form =
+          std::make_shared<MeshForm>(std::move(mesh), std::move(texture), std::move(painted.faces));
+      made.colors = std::move(painted.colors);
     } catch (const GeometryError& e) {
       if (first_failure_.empty()) first_failure_ = e.what();
       diagnostics.add(Severity::Error, "mesh.empty_part", 1,
                       "the part was left out: " + std::string(e.what()));
     }
     append(scene_.diagnostics, diagnostics, name, several_);
-    if (!form || facets_ == Facets::Kept) return form;
-    return recognised(std::move(form), name, scene_.diagnostics, context_);
+    if (!made.form || facets_ == Facets::Kept) return made;
+    auto round = recognised(made.form, name, scene_.diagnostics, context_);
+    // Faces that were recognised have other numbers.
+    if (round != made.form) made.colors.faces = nullptr;
+    made.form = std::move(round);
+    return made;
   }
 
   /// The form that all uses of an object share, placed; where it is used once, or becomes flat, its
   /// triangles as they stand.
-  std::shared_ptr<const Form> placed_form(const MeshUse& use, const std::string& name) {
+  Made placed_form(const MeshUse& use, const std::string& name) {
+    const FaceColors* colors = file_.polygon_colors[use.object].get();
     if (uses_[use.object] == 1 || !is_invertible(use.place)) {
-      return form_of(placed(taken(use.object), use.place), name);
+      return form_of(placed(taken(use.object), use.place), colors, name);
     }
     Shared& shared = shared_[use.object];
     if (!shared.made) {
       shared.made = true;
-      if (auto form = form_of(taken(use.object), name)) shared.placer.emplace(std::move(form));
+      Made made = form_of(taken(use.object), colors, name);
+      if (made.form) shared.placer.emplace(std::move(made.form));
+      shared.colors = std::move(made.colors);
     } else {
       --left_[use.object];
     }
-    return shared.placer ? shared.placer->at(near_turn(use.place).value_or(use.place)) : nullptr;
+    if (!shared.placer) return {};
+    return {shared.placer->at(near_turn(use.place).value_or(use.place)), shared.colors};
   }
 
   void add(MeshUse& use) {
     const std::string name = name_of(use);
-    std::shared_ptr<const Form> form = placed_form(use, name);
-    if (!form) return;
+    Made made = placed_form(use, name);
+    if (!made.form) return;
+    const bool own = !made.colors.color.empty();
     scene_.parts.push_back({.name = name,
                             .source = path_.string(),
-                            .form = std::move(form),
+                            .form = std::move(made.form),
                             .assembly = std::move(use.assembly),
-                            .color = std::move(use.color),
+                            .color = std::move(own ? made.colors.color : use.color),
                             .definition = given_name(use.definition),
-                            .opacity = use.opacity});
+                            .opacity = use.opacity,
+                            .face_colors = std::move(made.colors.faces)});
   }
 
   MeshFile file_;

@@ -311,22 +311,21 @@ std::vector<std::optional<Rgba>> ObjReader::vertex_colors() const {
   return colors;
 }
 
-/// The colour of its material, else that of its corners.
+/// The colour of its material, else that of most of its corners.
 void ObjReader::color(GroupedFaces& faces, Diagnostics& diagnostics) const {
   const auto of_material = material_colors(diagnostics), of_vertex = vertex_colors();
   if (of_material.empty() && of_vertex.empty()) return;
   faces.color.reserve(material_of_face_.size());
+  std::vector<std::optional<Rgba>> of_corner;
   for (std::size_t f = 0; f < material_of_face_.size(); ++f) {
     const std::uint32_t m = material_of_face_[f];
     std::optional<Rgba>& color = faces.color.emplace_back();
     if (m != kNone && !of_material.empty()) color = of_material[m];
     if (color || of_vertex.empty()) continue;
     const auto corners = std::span(corners_).subspan(offsets_[f], offsets_[f + 1] - offsets_[f]);
-    color = of_vertex[corners[0]];
-    const auto differs = [&](std::uint32_t v) { return of_vertex[v] != color; };
-    if (!std::ranges::any_of(corners, differs)) continue;
-    faces.uneven.resize(material_of_face_.size());
-    faces.uneven[f] = 1;
+    of_corner.clear();
+    for (const std::uint32_t v : corners) of_corner.push_back(of_vertex[v]);
+    color = color_of_corners(of_corner);
   }
 }
 

@@ -53,7 +53,8 @@ class OffReader {
   MeshFile file_;
   PolygonSoup soup_;
   std::vector<glm::vec2> vertex_texture_;
-  EvenLook vertex_look_, face_look_;
+  std::vector<std::optional<Rgba>> vertex_colors_;
+  FaceLooks face_looks_;
 };
 
 void OffReader::header() {
@@ -172,7 +173,7 @@ void OffReader::vertices() {
     }
     soup_.positions.push_back(p);
     if (header_.textured) vertex_texture_.push_back(last_two_of_line());
-    if (header_.colored) vertex_look_.add(color_of_line());
+    if (header_.colored) vertex_colors_.push_back(color_of_line());
     if (by_line) text_.next_line();
   }
 }
@@ -202,7 +203,7 @@ void OffReader::faces() {
     } else {
       soup_.offsets.push_back(soup_.indices.size());
     }
-    face_look_.add(color_of_line());
+    face_looks_.add(color_of_line(), corners < 3 ? 0 : 1);
     text_.next_line();
   }
 }
@@ -221,9 +222,8 @@ void OffReader::finish(const char* format) {
   if (!vertex_texture_.empty()) {
     for (const std::uint32_t v : soup_.indices) soup_.texture.push_back(vertex_texture_[v]);
   }
+  add_use(face_looks_.any() ? face_looks_ : looks_by_vertices(soup_, vertex_colors_), file_);
   file_.objects.push_back(std::move(soup_));
-  file_.uses.push_back(
-      use_with_look(face_look_.any() ? face_look_ : vertex_look_, file_.diagnostics));
 }
 
 /// Binary OFF comes in both byte orders and with or without a count of colours after each face;

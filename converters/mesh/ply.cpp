@@ -174,7 +174,8 @@ class PlyReader {
   std::vector<std::int64_t> list_;
   // u and v of each vertex; of the corners of the face at hand, where the file has a list of them.
   std::vector<glm::vec2> vertex_texture_, face_texture_;
-  EvenLook vertex_look_, face_look_;
+  std::vector<std::optional<Rgba>> vertex_colors_;
+  FaceLooks face_looks_;
   std::int64_t short_faces_ = 0, edges_ = 0;
   const bool textured_;  // some element tells u and v
 };
@@ -223,9 +224,8 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
     }
     soup_.positions.push_back(position);
     if (textured) vertex_texture_.push_back(uv);
-    if (colors.any()) colors.end_element();
+    if (colors.any()) vertex_colors_.emplace_back(colors.color());
   }
-  vertex_look_ = colors.look();
 }
 
 template <class Values>
@@ -324,10 +324,10 @@ void PlyReader<Values>::faces(const PlyElement& e, bool strips) {
         skip(p);
       }
     }
-    if (colors.any()) colors.end_element();
+    const std::size_t before = soup_.polygon_count();
     strips ? end_strip() : end_face();
+    if (colors.any()) face_looks_.add(colors.color(), soup_.polygon_count() - before);
   }
-  if (colors.any()) face_look_ = colors.look();
 }
 
 template <class Values>
@@ -368,9 +368,8 @@ MeshFile PlyReader<Values>::read() {
     file.diagnostics.add(Severity::Warning, "ply.no_faces", edges_,
                          "edges of the PLY, which have no faces, were left out");
   }
+  add_use(face_looks_.any() ? face_looks_ : looks_by_vertices(soup_, vertex_colors_), file);
   file.objects.push_back(std::move(soup_));
-  file.uses.push_back(
-      use_with_look(face_look_.any() ? face_look_ : vertex_look_, file.diagnostics));
   return file;
 }
 

@@ -16,8 +16,8 @@ class PlyColors {
   /// Whether the property is one of the channels.
   bool takes(std::size_t property) const { return channel_of_[property] >= 0; }
   void take(std::size_t property, double value);
-  void end_element() { look_.add(color_); }
-  const EvenLook& look() const { return look_; }
+  /// Of the element that was read last.
+  const Rgba& color() const { return color_; }
 
  private:
   /// Of each property: 0 to 3, or -1; and what makes its values shares of 1.
@@ -25,7 +25,6 @@ class PlyColors {
   std::vector<double> unit_;
   std::array<bool, 3> has_{};
   Rgba color_{0, 0, 0, 255};
-  EvenLook look_;
 };
 
 }  // namespace burin

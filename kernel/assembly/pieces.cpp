@@ -52,6 +52,7 @@ Part part_of(const std::shared_ptr<const Part>& all, const Piece& piece) {
   const bool own = !piece.color.empty();
   part.color = own ? piece.color : whole.color;
   part.opacity = own ? piece.opacity : whole.opacity;
+  part.face_colors = piece.face_colors;
   return part;
 }
 

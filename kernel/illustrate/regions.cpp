@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/drawing/bezier.h>
 #include <burin/feature/feature.h>
+#include <burin/feature/kind_borders.h>
 #include <burin/illustrate/view_probe.h>
 
 #include "exact_places.h"
@@ -145,6 +146,11 @@ void add_seen(const SeenLines& lines, const Occluders& occluders, Borders& borde
   }
 }
 
+/// The colours of the faces of a part; null: it has one.
+const FaceColors* colors_of(const RegionOptions& options, std::size_t part) {
+  return part < options.colors.size() ? options.colors[part].get() : nullptr;
+}
+
 /// Lines that the drawing has none of.
 std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camera,
                                  const RegionOptions& options, const LightView* light,
@@ -160,6 +166,14 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
   if (silent.intersections || silent.smooth || silent.seams) {
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
+  }
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    const FaceColors* colors = colors_of(options, i);
+    if (!colors) continue;
+    std::vector<Curve3> more = kind_borders(
+        *proxies[i], static_cast<std::int32_t>(i),
+        [&](std::int32_t face) { return colors->at(face); }, options.faces || options.found.smooth);
+    std::ranges::move(more, std::back_inserter(out));
   }
   std::vector<std::vector<Curve3>> isophotes(proxies.size());
   parallel_for(
@@ -220,6 +234,8 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera, const Reg
     const auto steps = static_cast<std::int32_t>(options.tones[part].levels.size());
     const bool cut = proxy.is_cut(hit->point.face);
     if (options.faces || cut) label.face = proxy.face_source(hit->point.face);
+    const FaceColors* colors = colors_of(options, part);
+    if (colors && !cut) label.color = colors->at(proxy.face_source(hit->point.face));
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
@@ -233,8 +249,24 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera, const Reg
   };
 }
 
-/// Regions of one part and face.
+/// Regions of one part, face and colour, by step.
 using Steps = std::map<std::int32_t, std::vector<std::uint32_t>>;
+
+void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// The colour of a part goes on below those of its faces, in its lightest step.
+void lay_below(std::map<AreaLabel, Steps>& faces, const std::vector<bool>& nested) {
+  for (auto& [label, steps] : faces) {
+    AreaLabel own = label;
+    own.color = -1;
+    const auto below = faces.find(own);
+    const bool lies_over = label.color >= 0 && nested[static_cast<std::size_t>(label.part)];
+    if (!lies_over || below == faces.end()) continue;
+    for (const auto& [tone, regions] : steps) append(below->second.rbegin()->second, regions);
+  }
+}
 
 Area area_of(const Partition& partition, const AreaLabel& label, bool toned,
              const std::vector<std::uint32_t>& regions) {
@@ -283,18 +315,22 @@ std::vector<Area> areas_of(const Partition& partition, const RegionOptions& opti
     const std::int32_t tone = std::exchange(label.tone, 0);
     faces[label][tone].push_back(i);
   }
+  lay_below(faces, nested);
   std::vector<Area> out;
   for (auto& [label, steps] : faces) {
     const auto part = static_cast<std::size_t>(label.part);
     if (nested[part]) {
       for (auto it = steps.begin(); std::next(it) != steps.end(); ++it) {
-        auto& lighter = std::next(it)->second;
-        lighter.insert(lighter.end(), it->second.begin(), it->second.end());
+        append(std::next(it)->second, it->second);
       }
     }
     for (auto it = steps.rbegin(); it != steps.rend(); ++it) {
-      Area area = area_of(partition, {label.part, label.face, it->first},
-                          !options.tones[part].levels.empty(), it->second);
+      AreaLabel one = label;
+      one.tone = it->first;
+      Area area = area_of(partition, one, !options.tones[part].levels.empty(), it->second);
+      if (label.color >= 0) {
+        area.fill = options.colors[part]->colors[static_cast<std::size_t>(label.color)];
+      }
       if (!area.rings.empty()) out.push_back(std::move(area));
     }
   }

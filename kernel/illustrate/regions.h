@@ -8,11 +8,13 @@
 #include <burin/drawing/drawing.h>
 #include <burin/feature/isophotes.h>
 #include <burin/feature/options.h>
+#include <burin/surface/face_colors.h>
 #include <burin/visibility/visible_spans.h>
 
 #include "occluders.h"
 #include "shadow/light_view.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +25,8 @@ namespace burin::detail {
 struct RegionOptions {
   /// One a part: where its tone has a step; no levels: one step all over.
   std::vector<Isophotes> tones{};
+  /// One a part, or fewer: the colours of its faces that part it; absent: it has one.
+  std::vector<std::shared_ptr<const FaceColors>> colors{};
   /// Whether faces of the input are told apart.
   bool faces = false;
   /// Paper mm: narrower steps of tone go to the step beside them.
@@ -45,20 +49,21 @@ struct SeenLines {
 /// Adds a border of regions to an area, without the points that lie on the line through others.
 void add_ring(std::vector<Vec2> ring, Area& area);
 
-/// What is seen of solid parts, by part, face and step; parts that can be looked through have none.
-/// Borders are the visible lines, whatever the style draws of them, and lines that it does not
-/// draw: isophotes, smooth edges and seams between faces, intersections, borders of shadows. They
-/// part the sheet whether hidden or not; what is seen says a ray. `light`: the view from
-/// `options.shadows`; null where there is none. Cost: `partition`; a ray a mm of isophotes. Throws
-/// Cancelled.
+/// What is seen of solid parts, by part, face, colour and step; parts that can be looked through
+/// have none. Borders are the visible lines, whatever the style draws of them, and lines that it
+/// does not draw: isophotes, smooth edges and seams between faces, borders of colours,
+/// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says
+/// a ray. `light`: the view from `options.shadows`; null where there is none. Cost: `partition`; a
+/// ray a mm of isophotes. Throws Cancelled.
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
                        const RunContext& context);
 
 /// Regions as areas, of each part and face the darkest last. They say a step where the part has
-/// more than one, and a face where faces are told apart, or that closes a cut. `nested`, one a
-/// part: areas of a step hold the darker ones, too, which come after: painted one over the other,
-/// no hair of paper shows between them.
+/// more than one, and a face where faces are told apart, or that closes a cut; their `fill` is the
+/// colour of faces that are coloured otherwise than their part. `nested`, one a part: areas of a
+/// step hold the darker ones, too, which come after: painted one over the other, no hair of paper
+/// shows between them; so the colour of a part goes on below those of its faces.
 std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options,
                            const std::vector<bool>& nested);
 

@@ -58,7 +58,8 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
 }
 
 // What parts the sheet where parts have flat colours.
-RegionOptions region_options(const PartStyles& part_styles, const Camera& camera, bool shadows) {
+RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
+                             const Camera& camera, bool shadows) {
   // Cosine to the light up to which a part of one tone counts as unlit, as the darkest of five
   // steps does: where light only grazes, the facets of round surfaces shade each other.
   constexpr double kGrazing = 0.2;
@@ -70,6 +71,9 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
     if (shadows && levels.empty()) levels = {kGrazing};
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
+    options.colors.push_back(part_styles.drawn(i) && fill.color == "part" && fill.opacity > 0
+                                 ? scene.parts[i].face_colors
+                                 : nullptr);
   }
   return options;
 }
@@ -180,8 +184,9 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
   });
 }
 
-Labels Stages::labels_of(const Drawing& drawing, const std::shared_ptr<Lines>& lines,
-                         const Shaded& shaded, const Style& style, const PartStyles& part_styles,
+Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
+                         const std::shared_ptr<Lines>& lines, const Shaded& shaded,
+                         const Style& style, const PartStyles& part_styles,
                          const IllustrateOptions& options, RunContext& context) {
   Labels labels;
   const auto& [occluders, to_light, camera] = shaded;
@@ -198,7 +203,8 @@ Labels Stages::labels_of(const Drawing& drawing, const std::shared_ptr<Lines>& l
     const LabelRequest wanted(drawing, occluders, camera, maps, !regions);
     labels = *labels_.get(wanted, [&] { return std::make_shared<Labels>(label(wanted, context)); });
     if (regions) {
-      Parted parted{lines, wanted.box, region_options(part_styles, camera, style.shadow.cast)};
+      Parted parted{lines, wanted.box,
+                    region_options(scene, part_styles, camera, style.shadow.cast)};
       parted.options.faces = options.face_areas;
       parted.options.pen = style.line.crease;
       if (style.shadow.cast) parted.options.shadows = to_light;
@@ -273,8 +279,8 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
-  labels = labels_of(drawing, features, {trees, tone::to_light(camera, style.tone), camera}, style,
-                     part_styles, options, context);
+  labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
+                     style, part_styles, options, context);
   context.end_stage();
   return drawing;
 }

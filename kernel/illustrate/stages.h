@@ -93,7 +93,7 @@ class Stages {
                      std::vector<Path>* found, Labels& labels, bool keeps, RunContext& context);
   std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
   /// Which parts are seen where, and the areas that are painted.
-  Labels labels_of(const Drawing& drawing, const std::shared_ptr<Lines>& lines,
+  Labels labels_of(const Scene& scene, const Drawing& drawing, const std::shared_ptr<Lines>& lines,
                    const Shaded& shaded, const Style& style, const PartStyles& part_styles,
                    const IllustrateOptions& options, RunContext& context);
 

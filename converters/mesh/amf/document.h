@@ -17,7 +17,7 @@ namespace burin::amf {
 struct Volume {
   std::string name;
   PolygonSoup mesh;  // in the unit of the file
-  EvenLook look;
+  FaceLooks look;
   /// Whether it supports the model while it is made, and whether it only changes other volumes.
   bool support = false, modifier = false;
 };

@@ -46,7 +46,7 @@ class AmfReader {
   std::map<std::string, std::size_t> object_of_, constellation_of_;
   std::set<std::string> used_;
   std::size_t placed_ = 0;
-  std::int64_t supports_ = 0, modifiers_ = 0, several_colors_ = 0, missing_ = 0;
+  std::int64_t supports_ = 0, modifiers_ = 0, many_colors_ = 0, missing_ = 0;
   std::string first_missing_;
   MeshFile file_;
 };
@@ -59,9 +59,10 @@ void AmfReader::objects() {
       modifiers_ += volume.modifier;
       if (volume.support || volume.modifier || volume.mesh.polygon_count() == 0) continue;
       for (Vec3& p : volume.mesh.positions) p *= document_.unit;
-      several_colors_ += volume.look.several();
+      many_colors_ += volume.look.too_many();
       volume.mesh.name = volume.name.empty() ? object.name : volume.name;
       shapes.push_back({file_.objects.size(), volume.name, volume.look.look()});
+      file_.polygon_colors.push_back(volume.look.colors());
       file_.objects.push_back(std::move(volume.mesh));
     }
   }
@@ -132,7 +133,7 @@ void AmfReader::report() {
                                       "place; the first: object {}",
                                       first_missing_));
   }
-  report_several_colors(several_colors_, file_.diagnostics);
+  report_many_colors(many_colors_, file_.diagnostics);
 }
 
 MeshFile AmfReader::read() {

@@ -239,7 +239,7 @@ void ThreeMfReader::report() {
                                       "what they place; the first: {}",
                                       first_missing_));
   }
-  report_several_colors(shapes_.several_colors(), file_.diagnostics);
+  report_many_colors(shapes_.many_colors(), file_.diagnostics);
 }
 
 MeshFile ThreeMfReader::read() {
@@ -272,6 +272,7 @@ MeshFile ThreeMfReader::read() {
                                : "the 3MF holds no triangles; export it again");
   }
   report();
+  file_.polygon_colors = shapes_.take_colors();
   file_.objects = shapes_.take();
   return std::move(file_);
 }

@@ -149,7 +149,7 @@ void ModelParser::properties(const pugi::xml_node& triangle, const Materials& of
     colors[i] = properties_->color(group, at);
   }
   if (!properties_->has_colors()) return;
-  out.colors.push_back({colors[0], colors[1] == colors[0] && colors[2] == colors[0]});
+  out.colors.push_back(color_of_corners(colors));
 }
 
 void ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object,

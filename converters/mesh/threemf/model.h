@@ -22,19 +22,13 @@ struct ThreeMfUse {
   bool printable = true;  // of an item, as slicers write it
 };
 
-/// The colour of a triangle, and whether it is that of its three corners.
-struct ThreeMfColor {
-  std::optional<Rgba> color;
-  bool even = true;
-};
-
 struct ThreeMfObject {
   std::string name;
   /// "model", "support" ...; empty: model.
   std::string type;
   PolygonSoup mesh;  // of triangles, in the unit of the model
-  /// Of each triangle; empty where the model has no colours.
-  std::vector<ThreeMfColor> colors;
+  /// Of each triangle, that of most of its corners; empty where the model has no colours.
+  std::vector<std::optional<Rgba>> colors;
   std::vector<ThreeMfUse> components;
   /// Whether there are beams, which have no triangles.
   bool has_beams = false;

@@ -35,13 +35,11 @@ std::size_t ThreeMfShapes::add(const std::string& path, const std::string& id,
   PolygonSoup& soup = soups_.emplace_back(part_of(object.mesh, first, end));
   soup.name = volume && !volume->name.empty() ? volume->name : object.name;
   for (Vec3& p : soup.positions) p *= unit;
-  EvenLook look;
-  for (std::size_t t = first; t < end && !object.colors.empty(); ++t) {
-    look.add(object.colors[t].color);
-    if (!object.colors[t].even) look.add_uneven();
-  }
-  several_colors_ += look.several();
+  FaceLooks look;
+  for (std::size_t t = first; t < end && !object.colors.empty(); ++t) look.add(object.colors[t]);
+  many_colors_ += look.too_many();
   looks_.push_back(look.look());
+  colors_.push_back(look.colors());
   return known->second;
 }
 

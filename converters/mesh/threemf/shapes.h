@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -23,15 +24,18 @@ class ThreeMfShapes {
   const Appearance& look(std::size_t shape) const { return looks_[shape]; }
   std::size_t triangles(std::size_t shape) const { return soups_[shape].polygon_count(); }
   bool empty() const { return soups_.empty(); }
-  /// How many have faces of several colours.
-  std::int64_t several_colors() const { return several_colors_; }
+  /// How many have faces of too many colours.
+  std::int64_t many_colors() const { return many_colors_; }
+  /// As those of MeshFile.
+  std::vector<std::shared_ptr<const FaceColors>> take_colors() { return std::move(colors_); }
   std::vector<PolygonSoup> take() { return std::move(soups_); }
 
  private:
   std::map<std::tuple<std::string, std::string, std::size_t>, std::size_t> known_;
   std::vector<PolygonSoup> soups_;
   std::vector<Appearance> looks_;
-  std::int64_t several_colors_ = 0;
+  std::vector<std::shared_ptr<const FaceColors>> colors_;
+  std::int64_t many_colors_ = 0;
 };
 
 }  // namespace burin

@@ -65,7 +65,8 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
 }
 
 std::shared_ptr<const Form> MeshForm::mapped(const Placement& by) const {
-  return std::make_shared<MeshForm>(placed(mesh_, by), texture_ ? texture_->mapped(by) : nullptr);
+  return std::make_shared<MeshForm>(placed(mesh_, by), texture_ ? texture_->mapped(by) : nullptr,
+                                    faces_);
 }
 
 ShapeMeasure MeshForm::measure(RunContext& context) const {
@@ -76,9 +77,10 @@ std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& opti
                                                       RunContext& context) const {
   context.begin_stage(RunStage::Build);
   TriMesh mesh = mesh_;
-  reorder_for_cache(mesh);
+  if (!faces_) reorder_for_cache(mesh);  // faces are numbered by triangle
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   ProxyMesh proxy = build_proxy(std::move(mesh), proxy_options, context);
+  if (faces_) proxy.source_face = *faces_;
   auto surface = make_rounded_surface(std::move(proxy), {}, options, context).surface;
   context.end_stage();
   return surface;

@@ -108,7 +108,8 @@ std::string Fills::color(std::size_t part) const {
 void Fills::paint(Area& area) const {
   const auto part = static_cast<std::size_t>(area.part);
   const FillOptions& fill = part_styles_.style(part).fill;
-  area.fill = color(part);
+  // That of faces which are coloured otherwise than their part is known by now.
+  if (fill.color != "part" || area.fill.empty()) area.fill = color(part);
   const auto rgb = rgb_of(area.fill);
   if (!rgb || fill.opacity <= 0) {
     area.fill.clear();

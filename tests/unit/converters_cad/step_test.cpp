@@ -193,9 +193,14 @@ TEST_F(Step, ColoursOfInstancesSolidsAndFaces) {
   ASSERT_EQ(scene.parts.size(), 5u);
   EXPECT_EQ(scene.parts[0].color, "");
   EXPECT_EQ(scene.parts[1].color, "#102030");
-  EXPECT_EQ(scene.parts[2].color, "");
+  // Each colour has one of the two faces of each size.
+  EXPECT_EQ(scene.parts[2].color, "#102030");
+  ASSERT_TRUE(scene.parts[2].face_colors);
+  EXPECT_EQ(scene.parts[2].face_colors->colors, Strings{"#ff0000"});
+  EXPECT_EQ(scene.parts[2].face_colors->of_face, (std::vector<std::int32_t>{-1, 0, -1, 0, -1, 0}));
   EXPECT_EQ(scene.parts[3].color, "#808080");
   EXPECT_EQ(scene.parts[4].color, "#0000ff");
+  EXPECT_FALSE(scene.parts[1].face_colors || scene.parts[3].face_colors);
   // All are called "used": the first as it is, the others numbered.
   EXPECT_EQ(scene.parts[0].name, "used");
   EXPECT_EQ(scene.parts[3].name, "used #4");
@@ -295,11 +300,47 @@ TEST_F(Step, SolidsOfAProductKeepTheirColours) {
   document.part(test::boxes_in_a_row(4), "whole", "#0000ff");
   const Scene scene = read(document.step(folder_ / "colours.step"));
   ASSERT_EQ(scene.parts.size(), 3u);
-  EXPECT_EQ(scene.parts[0].color, "");
+  // The second box is larger.
+  EXPECT_EQ(scene.parts[0].color, "#00ff00");
+  ASSERT_TRUE(scene.parts[0].face_colors);
+  EXPECT_EQ(scene.parts[0].face_colors->colors, Strings{"#ff0000"});
+  EXPECT_EQ(scene.parts[0].face_colors->at(5), 0);
+  EXPECT_EQ(scene.parts[0].face_colors->at(6), -1);
   EXPECT_EQ(scene.parts[0].pieces.at(0).color, "#ff0000");
   EXPECT_EQ(scene.parts[0].pieces.at(1).color, "#00ff00");
+  EXPECT_FALSE(scene.parts[0].pieces.at(0).face_colors);
   EXPECT_EQ(scene.parts[1].color, "#ff0000");
   EXPECT_EQ(scene.parts[2].color, "#0000ff");
+}
+
+TEST_F(Step, FacesHaveTheirColoursBeforeTheirSolidAndInAllInstances) {
+  CadDocument document;
+  const TDF_Label board = document.part(test::solid_box(10, 20, 1), "board", "#008000");
+  TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(board), TopAbs_FACE);
+  face.Next();
+  document.color(board, face.Current(), "#ffd700");
+  const TDF_Label top = document.assembly("top");
+  document.use(top, board, test::moved(1, 0, 0), "first");
+  document.use(top, board, test::turned(90), "second");
+  document.color(document.use(top, board, test::moved(0, 0, 9), "painted"), "#0000ff");
+  const std::string file = document.step(folder_ / "board.step");
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Part& part = scene.parts[i];
+    EXPECT_EQ(part.color, "#008000");
+    ASSERT_TRUE(part.face_colors);
+    EXPECT_EQ(part.face_colors->colors, Strings{"#ffd700"});
+    EXPECT_EQ(part.face_colors->of_face, (std::vector<std::int32_t>{-1, 0, -1, -1, -1, -1}));
+  }
+  EXPECT_EQ(scene.parts[0].face_colors, scene.parts[1].face_colors);
+  EXPECT_EQ(scene.parts[2].color, "#0000ff");
+  EXPECT_FALSE(scene.parts[2].face_colors);
+  const FileInfo info = inspect(file);
+  ASSERT_EQ(info.parts.size(), 3u);
+  EXPECT_EQ(info.parts[0].colors, 2);
+  EXPECT_EQ(info.parts[2].colors, 1);
+  EXPECT_NE(to_text(info).find("#008000, in 2 colours"), std::string::npos);
 }
 
 TEST_F(Step, TransparencyIsKept) {

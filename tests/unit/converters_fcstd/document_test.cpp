@@ -32,16 +32,27 @@ TEST_F(FcstdTest, ColorsAndVisibilityComeFromTheWindow) {
   d.view("A", shown + red);
   d.view("B", shown + red + faces("One"));
   d.view("C", shown + red + faces("Many"));
+  d.view("D", shown + red + faces("Cut"));
   d.view("L", property("ShapeMaterial", "<PropertyMaterial diffuseColor=\"65280\"/>") + shown +
                   text_property("OverrideMaterial", "true"));
   d.members.emplace_back("One", colors({0x12345600, 0x12345600}));
-  d.members.emplace_back("Many", colors({0x12345600, 0xff}));
+  // A box of 1 x 2 x 3 has its faces in pairs along x, y and z.
+  d.members.emplace_back(
+      "Many", colors({0x12345600, 0x12345600, 0xffd70000, 0x12345600, 0xffd70000, 0xffd70000}));
+  d.members.emplace_back("Cut", colors({0x12345600, 0xff}));
   const Scene scene = read(d);
-  ASSERT_EQ(paths(scene), (Paths{"A", "B", "C", "L"}));
+  ASSERT_EQ(paths(scene), (Paths{"A", "B", "C", "D", "L"}));
   EXPECT_EQ(scene.parts[0].color, "#ff0000");
   EXPECT_EQ(scene.parts[1].color, "#123456");
-  EXPECT_EQ(scene.parts[2].color, "");
-  EXPECT_EQ(scene.parts[3].color, "#0000ff");
+  EXPECT_FALSE(scene.parts[1].face_colors);
+  EXPECT_EQ(scene.parts[2].color, "#123456");
+  ASSERT_TRUE(scene.parts[2].face_colors);
+  EXPECT_EQ(scene.parts[2].face_colors->colors, std::vector<std::string>{"#ffd700"});
+  EXPECT_EQ(scene.parts[2].face_colors->of_face, (std::vector<std::int32_t>{-1, -1, 0, -1, 0, 0}));
+  EXPECT_EQ(scene.parts[3].color, "") << "a list of another length";
+  EXPECT_EQ(scene.parts[4].color, "#0000ff");
+  RunContext context;
+  EXPECT_EQ(inspect_fcstd(folder_ / "a.FCStd", {}, context).parts[2].colors, 2);
 }
 
 /// A list of materials as FreeCAD 1.0 writes it.
@@ -74,13 +85,16 @@ TEST_F(FcstdTest, ColorsOfFreecad1ComeFromTheAppearanceOfTheShape) {
   d.view("D", appearance("Cut"));
   d.members.emplace_back("One", materials({0x12345600}));
   d.members.emplace_back("Same", materials({0xff000000, 0xff0000ff}));
-  d.members.emplace_back("Many", materials({0x12345600, 0x65432100}));
+  d.members.emplace_back(
+      "Many", materials({0x12345600, 0x12345600, 0x12345600, 0x12345600, 0x65432100, 0x65432100}));
   d.members.emplace_back("Cut", materials({0x12345600, 0x12345600}).substr(0, 40));
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), (Paths{"A", "B", "C", "D"}));
   EXPECT_EQ(scene.parts[0].color, "#123456");
   EXPECT_EQ(scene.parts[1].color, "#ff0000");
-  EXPECT_EQ(scene.parts[2].color, "");
+  EXPECT_EQ(scene.parts[2].color, "#123456");
+  ASSERT_TRUE(scene.parts[2].face_colors);
+  EXPECT_EQ(scene.parts[2].face_colors->colors, std::vector<std::string>{"#654321"});
   EXPECT_EQ(scene.parts[3].color, "");
 }
 

@@ -144,8 +144,9 @@ TEST(Gltf, PrimitivesAreOnePartButForGlass) {
   const Scene scene = read_gltf_bytes(g.glb());
   ASSERT_EQ(scene.parts.size(), 3u);
   EXPECT_EQ(scene.parts[0].name, "door");
-  EXPECT_EQ(scene.parts[0].color, "");
-  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.several_colors"), 1);
+  EXPECT_EQ(scene.parts[0].color, "#ff0000") << "of two of one size the first";
+  ASSERT_TRUE(scene.parts[0].face_colors);
+  EXPECT_EQ(scene.parts[0].face_colors->colors, std::vector<std::string>{"#0000ff"});
   EXPECT_EQ(scene.parts[1].name, "hatch");
   EXPECT_EQ(scene.parts[1].color, "#ff0000");
   EXPECT_EQ(scene.parts[2].name, "hatch window");

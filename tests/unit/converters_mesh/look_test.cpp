@@ -1,5 +1,7 @@
-// Colours of meshes: one of a part where its faces have one.
+// Colours of meshes: those of parts, and of faces where they differ.
 #include "reading.h"
+
+#include <algorithm>
 
 namespace burin {
 namespace {
@@ -12,6 +14,21 @@ const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 Part only(const Scene& scene) {
   EXPECT_EQ(scene.parts.size(), 1u);
   return scene.parts.at(0);
+}
+
+/// Of a tetrahedron whose last face differs from the others.
+void expect_last_face(const Part& part, const std::string& color) {
+  ASSERT_TRUE(part.face_colors);
+  EXPECT_EQ(part.face_colors->colors, std::vector<std::string>{color});
+  RunContext context;
+  const auto surface = part.form->realise({}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    const bool last = std::ranges::none_of(proxy.mesh.triangles[f], [&](std::uint32_t v) {
+      return glm::length(proxy.mesh.positions[v]) == 0;
+    });
+    EXPECT_EQ(part.face_colors->at(proxy.face_source(f)), last ? 0 : -1);
+  }
 }
 
 std::string off_faces(const std::string& color, const std::string& last) {
@@ -28,8 +45,8 @@ TEST(Look, FacesOfOff) {
   EXPECT_EQ(glass.color, "#ff8000");
   EXPECT_NEAR(glass.opacity, 0.25, 1 / 255.0);
   const Scene uneven = read("255 0 0", "0 0 255");
-  EXPECT_EQ(only(uneven).color, "");
-  EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+  EXPECT_EQ(only(uneven).color, "#ff0000");
+  expect_last_face(only(uneven), "#0000ff");
   EXPECT_EQ(only(read("7", "7")).color, "");  // a place in a table
   EXPECT_EQ(only(read("", "")).color, "");
 }
@@ -67,8 +84,33 @@ TEST(Look, VerticesAndFacesOfPly) {
   EXPECT_EQ(only(read_scene(ply("", kPoints, "", faces), "a.ply")).color, "");
   const std::string mixed = "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n0 0 1 9 9 8\n";
   const Scene uneven = read_scene(ply("uchar", mixed, "", faces), "a.ply");
-  EXPECT_EQ(only(uneven).color, "");
-  EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+  // Faces have the colour of two of their corners.
+  EXPECT_EQ(only(uneven).color, "#090909");
+  EXPECT_FALSE(only(uneven).face_colors);
+  const std::string gold = "3 0 2 1 0 0 255\n3 0 1 3 0 0 255\n3 0 3 2 0 0 255\n3 1 2 3 255 215 0\n";
+  const Scene scene = read_scene(ply("", kPoints, "uchar", gold), "a.ply");
+  EXPECT_EQ(only(scene).color, "#0000ff");
+  expect_last_face(only(scene), "#ffd700");
+}
+
+TEST(Look, SoManyColoursAreNoneOfFaces) {
+  std::string points, faces;
+  for (int i = 0; i < 65; ++i) {
+    for (const char* at : {" 0 0 ", " 1 0 ", " 0 1 "}) points += std::to_string(i) + at + "\n";
+    faces += "3 " + std::to_string(3 * i) + " " + std::to_string(3 * i + 1) + " " +
+             std::to_string(3 * i + 2) + " " + std::to_string(i) + " 0 0\n";
+  }
+  const auto read = [&](const std::string& last) {
+    return read_scene("OFF\n195 65 0\n" + points + faces.substr(0, faces.rfind("64 0 0")) + last,
+                      "a.off");
+  };
+  const Scene many = read("64 0 0\n"), fewer = read("63 0 0\n");
+  EXPECT_EQ(only(many).color, "");
+  EXPECT_FALSE(only(many).face_colors);
+  EXPECT_EQ(test::count_of(many.diagnostics, "mesh.many_colors"), 1);
+  ASSERT_TRUE(only(fewer).face_colors);
+  EXPECT_EQ(only(fewer).face_colors->colors.size(), 63u);
+  EXPECT_EQ(test::count_of(fewer.diagnostics, "mesh.many_colors"), 0);
 }
 
 TEST(Look, MaterialsOfObj) {
@@ -90,12 +132,13 @@ TEST(Look, MaterialsOfObj) {
            closed + "o e\nusemtl glass\nf 1 3 2\nf 1 2 4\n" +
            "usemtl red paint\nf 1 4 3\nf 2 3 4\no f\nusemtl lost\n" + closed);
   ASSERT_EQ(scene.parts.size(), 6u);
-  const std::vector<std::string> colors = {"#ff0000", "#0000ff", "", "#808080", "", ""};
+  const std::vector<std::string> colors = {"#ff0000", "#0000ff", "", "#808080", "#ff0000", ""};
   for (std::size_t i = 0; i < colors.size(); ++i) EXPECT_EQ(scene.parts[i].color, colors[i]) << i;
   EXPECT_NEAR(scene.parts[1].opacity, 0.25, 1 / 255.0);
   EXPECT_NEAR(scene.parts[3].opacity, 0.25, 1 / 255.0);
   EXPECT_EQ(scene.parts[2].opacity, 1);
-  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.several_colors"), 1);
+  ASSERT_TRUE(scene.parts[4].face_colors);
+  EXPECT_EQ(scene.parts[4].face_colors->colors, std::vector<std::string>{"#0000ff"});
 
   const Scene lost = read("mtllib gone.mtl\n" + points + "usemtl x\n" + closed);
   EXPECT_EQ(only(lost).color, "");
@@ -114,8 +157,8 @@ TEST(Look, VerticesOfObj) {
   EXPECT_EQ(only(read("1.0", "1.0")).color, "");  // a weight
   for (const char* last : {"0 0 1", ""}) {
     const Scene uneven = read("1 0 0", last);
-    EXPECT_EQ(only(uneven).color, "");
-    EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+    EXPECT_EQ(only(uneven).color, "#ff0000");
+    EXPECT_FALSE(only(uneven).face_colors) << "two corners of three are red";
   }
 }
 

@@ -4,6 +4,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/legend.h>
+#include <burin/section/section.h>
 
 #include "burin_test/shapes.h"
 
@@ -11,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -68,6 +71,86 @@ TEST(Fills, OfOneColourAreThatButWhereAPartSaysOtherwise) {
   looks[2].style->fill.color = "#00ff00";
   const std::vector<std::string> all = fills(draw(row_of_boxes(), style, looks));
   EXPECT_EQ(all, (std::vector<std::string>{"#f28e2b", "", "#00ff00", "#f28e2b"}));
+}
+
+/// A plate of 40 x 4 x 20 mm whose front is red up to x = 10 but for the uppermost quarter, and
+/// blue from x = 30 on.
+Scene painted_plate() {
+  TriMesh mesh = test::box({0, 0, 0}, {40, 4, 20});
+  Scene scene;
+  scene.parts.push_back({"plate", "a.stl", nullptr});
+  // The front in cells of 10 x 5 mm, beside the other sides of the box.
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.positions[v].y == 0; });
+  });
+  std::vector<std::int32_t> kind(mesh.triangles.size(), 0);
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      for (const auto& [x, z] : {std::pair(i, k), {i + 1, k}, {i + 1, k + 1}, {i, k + 1}}) {
+        mesh.positions.emplace_back(10 * x, 0, 5 * z);
+      }
+      mesh.triangles.push_back({first, first + 1, first + 2});
+      mesh.triangles.push_back({first, first + 2, first + 3});
+      kind.resize(kind.size() + 2, i == 0 && k < 3 ? 1 : i == 3 ? 2 : 0);
+    }
+  }
+  auto faces = std::make_shared<std::vector<std::int32_t>>(kind);
+  scene.parts[0].form = std::make_shared<MeshForm>(std::move(mesh), nullptr, std::move(faces));
+  scene.parts[0].color = "#00ff00";
+  scene.parts[0].face_colors =
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff"}, {-1, 0, 1}});
+  return scene;
+}
+
+double size_of(const Area& area) {
+  double sum = 0;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  }
+  return sum;
+}
+
+std::map<std::string, double> sizes_of_colors(const Drawing& drawing) {
+  std::map<std::string, double> out;
+  double all = 0;
+  for (const Area& area : drawing.areas) all = std::max(all, size_of(area));
+  for (const Area& area : drawing.areas) out[area.fill] += size_of(area) / all;
+  return out;
+}
+
+TEST(Fills, OfFacesAreTheirOwn) {
+  const std::map<std::string, double> found =
+      sizes_of_colors(draw(painted_plate(), builtin_style("flat")));
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_NEAR(found.at("#00ff00"), 1, 1e-9) << "below the others";
+  EXPECT_NEAR(found.at("#ff0000"), 150 / 800.0, 1e-4);
+  EXPECT_NEAR(found.at("#0000ff"), 200 / 800.0, 1e-4);
+}
+
+TEST(Fills, OfFacesAreThatOfTheStyleWhereItSaysOne) {
+  Style style = builtin_style("flat");
+  set_style_key(style, "fill.color", "orange");
+  const Drawing drawing = draw(painted_plate(), style);
+  ASSERT_EQ(drawing.areas.size(), 1u);
+  EXPECT_EQ(drawing.areas[0].fill, "#f28e2b");
+}
+
+TEST(Fills, OfFacesAreKeptByMirroredAndCutParts) {
+  Scene scene = painted_plate();
+  Placement mirror;
+  mirror.linear[0][0] = -1;
+  scene.parts[0].form = scene.parts[0].form->mapped(mirror);
+  auto found = sizes_of_colors(draw(scene, builtin_style("flat")));
+  EXPECT_NEAR(found["#ff0000"], 150 / 800.0, 1e-4);
+  // What is left is the right half, seen mirrored: red and half of the rest.
+  scene.parts[0].form = cut_form(scene.parts[0].form, CutPlane{{-1, 0, 0}, 20}, 0, "plate");
+  found = sizes_of_colors(draw(scene, builtin_style("flat")));
+  EXPECT_NEAR(found["#ff0000"], 150 / 400.0, 1e-4);
+  EXPECT_FALSE(found.contains("#0000ff"));
 }
 
 TEST(Fills, OfGlassAreSeenThroughAndPaintedLast) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -58,6 +59,8 @@ class BrepShape {
   virtual std::shared_ptr<const Form> form(const Placement& placement) const = 0;
   /// Counts and measures at `placement`; no name.
   virtual PartInfo measure(const Placement& placement) const = 0;
+  /// Of each face in turn, in square mm; 0 where OCCT cannot tell. Cost: 0.1 ms a face.
+  virtual std::vector<double> face_areas() const = 0;
   /// Whether OCCT finds nothing wrong with the shape (BRepCheck_Analyzer); a check that crashes is
   /// no. Slow, for messages: about 0.25 ms per face.
   virtual bool valid() const = 0;

@@ -21,6 +21,8 @@ struct PartInfo {
   std::vector<std::string> assembly = {};
   /// "#rrggbb" or empty.
   std::string color = {};
+  /// How many colours its faces have.
+  std::int64_t colors = 0;
   /// As that of Part.
   double opacity = 1;
   /// The first part that shares this one's shape, -1 where the shape is its own.

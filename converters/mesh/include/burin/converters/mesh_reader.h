@@ -39,6 +39,9 @@ struct MeshFile {
   Diagnostics diagnostics;
   /// Where the objects stand, once or many times; empty: each once, as it is.
   std::vector<MeshUse> uses = {};
+  /// One an object, by the numbers of its polygons, which have no colour where that says -1; absent
+  /// where they look alike. Fewer: the rest look alike. They go before the colour of a use.
+  std::vector<std::shared_ptr<const FaceColors>> polygon_colors = {};
 };
 
 /// The objects as they stand, one a use, for those who want triangles alone.

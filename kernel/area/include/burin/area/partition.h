@@ -20,6 +20,8 @@ struct AreaLabel {
   std::int32_t part = -1;
   /// Face of the input; -1 where faces do not count.
   std::int32_t face = -1;
+  /// Which colour its face has of those of the part; -1: that of the part itself.
+  std::int32_t color = -1;
   /// Step of tone, from 0, the darkest.
   std::int32_t tone = 0;
   auto operator<=>(const AreaLabel&) const = default;

@@ -5,6 +5,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/surface/face_colors.h>
 #include <burin/surface/shape_measure.h>
 #include <burin/surface/surface.h>
 
@@ -82,6 +83,7 @@ struct Piece {
   /// As those of a part.
   std::string color = {};
   double opacity = 1;
+  std::shared_ptr<const FaceColors> face_colors = {};
 };
 
 struct Part {
@@ -91,12 +93,15 @@ struct Part {
   std::shared_ptr<const Form> form;
   /// Names from the top of an assembly down to what contains this part; empty outside assemblies.
   std::vector<std::string> assembly = {};
-  /// "#rrggbb" where the input gives the part one colour, else empty.
+  /// "#rrggbb" where the input gives the part a colour, else empty. Where faces have colours of
+  /// their own, that of most of its area.
   std::string color = {};
   /// The name of what this is an instance of, where the input has one beside that of the instance.
   std::string definition = {};
   /// How much of what lies behind it the part covers, as the input says: 1 all of it, 0 nothing.
   double opacity = 1;
+  /// Of faces that are coloured otherwise than the part; absent: none is.
+  std::shared_ptr<const FaceColors> face_colors = {};
   /// The bodies that `form` is made of, where there are several that can be chosen one by one
   /// (`split_pieces` of burin/assembly/pieces.h); they stand where the part stands.
   std::vector<Piece> pieces = {};

@@ -23,6 +23,10 @@ class MeshForm final : public Form {
   /// Takes a manifold, oriented mesh, as `repair` returns it, and u and v where there are any.
   explicit MeshForm(TriMesh mesh, std::shared_ptr<const TextureMap> texture = nullptr)
       : mesh_(std::move(mesh)), texture_(std::move(texture)) {}
+  /// With faces that the input tells apart: one number from 0 a triangle (`number_faces`).
+  MeshForm(TriMesh mesh, std::shared_ptr<const TextureMap> texture,
+           std::shared_ptr<const std::vector<std::int32_t>> faces)
+      : mesh_(std::move(mesh)), texture_(std::move(texture)), faces_(std::move(faces)) {}
 
   const TriMesh& mesh() const { return mesh_; }
   const std::shared_ptr<const TextureMap>& texture() const { return texture_; }
@@ -43,7 +47,14 @@ class MeshForm final : public Form {
 
   TriMesh mesh_;
   std::shared_ptr<const TextureMap> texture_;
+  std::shared_ptr<const std::vector<std::int32_t>> faces_;
 };
+
+/// Faces of a mesh whose triangles are of several kinds, such as colours: for each triangle the
+/// number of the smooth region of one kind that holds it, from 0 in order of the triangles. Creases
+/// are those of ProxyOptions. `kind`: one number a triangle. Cost: that of `build_proxy`.
+std::vector<std::int32_t> number_faces(const TriMesh& mesh, std::span<const std::int32_t> kind,
+                                       const RunContext& context);
 
 /// The surface that a proxy mesh is by itself: what MeshForm realises, for forms that make their
 /// own proxies. `curvature` has one entry per wedge, or none.
