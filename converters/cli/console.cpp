@@ -91,10 +91,14 @@ void Console::diagnostics(const Diagnostics& diagnostics) {
 void Console::verification(const Verification& v) {
   if (quiet_) return;
   clear();
-  say(
-      fmt::format("burin: verify: {:.1f} of {:.1f} mm contradicted ({:.3f} %) in {} places, {} "
-                  "loose ends of the outline; {} spans tested\n",
-                  v.contradicted, v.length, 100 * v.share(), v.count, v.loose_ends, v.spans));
+  const std::string areas =
+      v.area > 0 ? fmt::format("; {:.1f} of {:.0f} mm2 of areas contradicted in {} places",
+                               v.wrong_area, v.area, v.wrong_patches)
+                 : "";
+  say(fmt::format(
+      "burin: verify: {:.1f} of {:.1f} mm contradicted ({:.3f} %) in {} places, {} "
+      "loose ends of the outline; {} spans tested{}\n",
+      v.contradicted, v.length, 100 * v.share(), v.count, v.loose_ends, v.spans, areas));
 }
 
 void Console::watching(bool drawn, double seconds, std::size_t files) {

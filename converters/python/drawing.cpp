@@ -180,15 +180,24 @@ py::dict verification(const Verification& v) {
   d["share"] = v.share();
   d["count"] = v.count;
   d["loose_ends"] = v.loose_ends;
+  if (v.area > 0) {
+    d["area"] = v.area;
+    d["wrong_area"] = v.wrong_area;
+    d["wrong_patches"] = v.wrong_patches;
+  }
   py::list list;
   for (const Contradiction& c : v.contradictions) {
     py::dict one;
     one["what"] = c.what;
-    one["kind"] = to_string(c.kind);
     one["part"] = c.source.part;
     one["face"] = c.source.face;
-    one["edge"] = c.source.edge;
-    one["length"] = c.length;
+    if (c.size > 0) {
+      one["size"] = c.size;
+    } else {
+      one["kind"] = to_string(c.kind);
+      one["edge"] = c.source.edge;
+      one["length"] = c.length;
+    }
     one["at"] = py::make_tuple(c.at.x, c.at.y);
     one["model"] = py::make_tuple(c.model.x, c.model.y, c.model.z);
     list.append(one);

@@ -107,6 +107,15 @@ Json json_of(const LineDifference& difference) {
     if (line.change == LineChange::Moved) one["distance"] = line.distance;
     json["lines"].push_back(one);
   }
+  json["fills"] = Json::array();
+  for (const ChangedFill& fill : difference.fills) {
+    Json one;
+    one["part"] = fill.part;
+    one["color"] = Json::array({fill.before, fill.after});
+    one["size"] = fill.size;
+    one["at"] = Json::array({fill.at.x, fill.at.y});
+    json["fills"].push_back(one);
+  }
   json["texts_new"] = json_of(difference.texts_new);
   json["texts_gone"] = json_of(difference.texts_gone);
   return json;

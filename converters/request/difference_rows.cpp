@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace burin::detail {
@@ -65,6 +67,8 @@ std::string motion_text(const PartMotion& motion) {
   return text;
 }
 
+std::string color_text(const std::string& color) { return color.empty() ? "none" : color; }
+
 std::string what_of(const PartDifference& part) {
   if (!part.numbers_before) return size_text(*part.numbers_after);
   if (!part.numbers_after) return size_text(*part.numbers_before);
@@ -83,13 +87,30 @@ std::string what_of(const PartDifference& part) {
   if (part.match.renamed) add(text, fmt::format("was called {}", part.before));
   if (part.drawn_before != part.drawn_after) add(text, part.drawn_after ? "shown" : "left out");
   if (part.color_before != part.color_after) {
-    const auto named = [](const std::string& color) { return color.empty() ? "none" : color; };
-    add(text, fmt::format("colour {} to {}", named(part.color_before), named(part.color_after)));
+    add(text, fmt::format("colour {} to {}", color_text(part.color_before),
+                          color_text(part.color_after)));
   }
   if (part.match.look && part.opacity_before != part.opacity_after) {
     add(text, fmt::format("opacity {:.3g} to {:.3g}", part.opacity_before, part.opacity_after));
   }
   return text;
+}
+
+/// One row a part: its largest change of colour, and how much of it has changed.
+void add_fill_rows(const std::vector<ChangedFill>& fills, std::vector<DifferenceRow>& rows) {
+  for (auto first = fills.begin(); first != fills.end();) {
+    const auto last = std::find_if(first, fills.end(),
+                                   [&](const ChangedFill& one) { return one.part != first->part; });
+    double size = 0;
+    for (auto it = first; it != last; ++it) size += it->size;
+    const auto more = static_cast<std::size_t>(last - first) - 1;
+    std::string what =
+        fmt::format("colour {} to {}", color_text(first->before), color_text(first->after));
+    if (more > 0) what += fmt::format(" and {} more", more);
+    rows.push_back({0, "changed", first->part.empty() ? "shadow" : first->part,
+                    fmt::format("{}, {:.4g} mm2", what, size)});
+    first = last;
+  }
 }
 
 }  // namespace
@@ -123,6 +144,7 @@ std::vector<DifferenceRow> rows_of(const LineDifference& difference) {
     if (change == LineChange::Moved) what += fmt::format(", as far as {:.3g} mm", sum.distance);
     rows.push_back({0, to_string(change), part.empty() ? layer : part + ", " + layer, what});
   }
+  add_fill_rows(difference.fills, rows);
   for (const Text& text : difference.texts_new) {
     rows.push_back({0, "new", "text", fmt::format("'{}'", text.text)});
   }
@@ -160,6 +182,9 @@ std::string counts_of(const LineDifference& difference) {
         fmt::format("{}{} {} ({:.4g} mm)", text.empty() ? "" : ", ",
                     plural(difference.counts[i], "line"), to_string(change), difference.lengths[i]);
   }
+  std::set<std::string> parts;
+  for (const ChangedFill& fill : difference.fills) parts.insert(fill.part);
+  if (!parts.empty()) text += fmt::format(", {} of other colours", plural(parts.size(), "part"));
   const std::size_t texts = difference.texts_new.size() + difference.texts_gone.size();
   if (texts > 0) text += fmt::format(", {} of texts", plural(texts, "change"));
   return text;

@@ -354,9 +354,10 @@ std::vector<RequestRow<Draft>> run_rows() {
          d.plan.threads = static_cast<int>(std::get<std::uint64_t>(a.value));
        }},
       {{.option = {.name = "verify",
-                   .meaning = "test every visible and hidden line of the drawing by rays against a "
-                              "finer tessellation of its own; list what is wrong, where, and "
-                              "how much in all",
+                   .meaning =
+                       "test every visible and hidden line of the drawing, and its areas, by "
+                       "rays against a finer tessellation of its own; list what is wrong, "
+                       "where, and how much in all",
                    .takes = Switch{}},
         .group = kRun,
         .also = {"check", "test", "validate", "prove"}},

@@ -1,17 +1,19 @@
 #include "eps.h"
 
-#include <burin/drawing/color.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
+#include "eps_areas.h"
+#include "eps_pen.h"
 #include "own_formats.h"
 
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -20,7 +22,6 @@ namespace burin {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
-constexpr double kUnitsPerMm = 1000;
 constexpr double kStraight = 0.0005;  // paper mm; as in the other formats
 
 /// One path, text or area with what comes before it.
@@ -28,7 +29,7 @@ struct Item {
   std::string before;
   const Path* path = nullptr;
   const Text* text = nullptr;
-  const Area* area = nullptr;
+  std::optional<std::size_t> area = {};
 };
 
 /// Text for a comment: one line of printable ASCII, as DSC asks for.
@@ -38,19 +39,12 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-std::string color_of(const std::string& text) {
-  if (text == Drawing().ink_color) return "0 setgray";
-  const Rgb rgb = rgb_of(text).value_or(Rgb{});
-  return fmt::format("{:.4f} {:.4f} {:.4f} setrgbcolor", rgb[0] / 255.0, rgb[1] / 255.0,
-                     rgb[2] / 255.0);
-}
-
 std::string head(const Drawing& drawing) {
   const double w = drawing.paper_width * kPointsPerMm, h = drawing.paper_height * kPointsPerMm;
   const bool painted = drawing.paper_color != Drawing().paper_color;
-  const std::string ink = color_of(drawing.ink_color);
+  const std::string ink = eps_color(drawing.ink_color);
   const std::string paper =
-      painted ? fmt::format("{} 0 0 {:.5f} {:.5f} rectfill\n", color_of(drawing.paper_color), w, h)
+      painted ? fmt::format("{} 0 0 {:.5f} {:.5f} rectfill\n", eps_color(drawing.paper_color), w, h)
               : "";
   return fmt::format(
       "%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: {}\n%%Title: {}\n%%BoundingBox: 0 0 {} {}\n"
@@ -63,39 +57,6 @@ std::string head(const Drawing& drawing) {
       creator(), plain(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h, paper,
       kPointsPerMm / kUnitsPerMm, ink);
 }
-
-/// Steps between places on the grid of micrometres.
-class EpsPen {
- public:
-  explicit EpsPen(Buffer& out) : out_(out) {}
-
-  void move(Vec2 p) {
-    at_ = place(p);
-    fmt::format_to(fmt::appender(out_), "{} {} m\n", at_.x, at_.y);
-  }
-  void line(Vec2 p) {
-    step(place(p));
-    at_ = place(p);
-    append(out_, "l\n");
-  }
-  void curve(const CubicBezier& c) {
-    for (int i = 1; i < 4; ++i) step(place(c[static_cast<std::size_t>(i)]));
-    at_ = place(c[3]);
-    append(out_, "c\n");
-  }
-
- private:
-  struct Place {
-    std::int64_t x = 0, y = 0;
-  };
-  static Place place(Vec2 p) {
-    return {std::llround(p.x * kUnitsPerMm), std::llround(p.y * kUnitsPerMm)};
-  }
-  void step(Place to) { fmt::format_to(fmt::appender(out_), "{} {} ", to.x - at_.x, to.y - at_.y); }
-
-  Buffer& out_;
-  Place at_;
-};
 
 /// `first`: where a line without a curve is a dot; `closed`: its ends are joined.
 void append_ink(Buffer& out, const Ink& ink, Vec2 first, bool closed) {
@@ -116,39 +77,22 @@ void append_ink(Buffer& out, const Ink& ink, Vec2 first, bool closed) {
   fmt::format_to(fmt::appender(out), "{} w s\n", std::llround(ink.width * kUnitsPerMm));
 }
 
-void append_area(Buffer& out, const Area& area) {
-  EpsPen pen(out);
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) i == 0 ? pen.move(ring[i]) : pen.line(ring[i]);
-    append(out, "h\n");
-  }
-  if (area.opacity < 1) return append(out, "eofill\n");
-  fmt::format_to(fmt::appender(out), "gsave eofill grestore {} w s\n",
-                 std::llround(kTrap * kUnitsPerMm));
-}
-
-/// PostScript knows no opacity: what lies below is taken to be the paper.
-std::string color_of(const Area& area, const Drawing& drawing) {
-  const Rgb fill = rgb_of(area.fill).value_or(Rgb{});
-  const Rgb paper = rgb_of(drawing.paper_color).value_or(Rgb{});
-  return to_text(over(fill, area.opacity, paper));
-}
-
 std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string before,
-                           const Drawing& drawing, const SvgOptions& options) {
+                           const Drawing& drawing, const EpsAreas& areas,
+                           const SvgOptions& options) {
   std::vector<Item> items;
   std::string used = drawing.ink_color;
-  for (const Area* area : painted_areas(drawing)) {
-    const std::string color = color_of(*area, drawing);
-    if (color != used) before += color_of(used = color) + "\n";
-    items.push_back({std::move(before), nullptr, nullptr, area});
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const std::string color = areas.color(i);
+    if (color != used) before += eps_color(used = color) + "\n";
+    items.push_back({std::move(before), nullptr, nullptr, i});
     before.clear();
   }
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
     const auto use = [&](const std::string& color) {
       if (color == used) return;
-      before += color_of(color) + "\n";
+      before += eps_color(color) + "\n";
       used = color;
     };
     use(ink_color(layer, drawing));
@@ -181,12 +125,14 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
 void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                const RunContext& context) {
   const NearSheet sheet(drawing);
-  const std::vector<Item> items = items_of(sheet.layers(), head(drawing), drawing, options.svg);
+  const EpsAreas areas(drawing);
+  const std::vector<Item> items =
+      items_of(sheet.layers(), head(drawing), drawing, areas, options.svg);
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].area) append_area(buffer, *items[i].area);
+        if (items[i].area) areas.append(buffer, *items[i].area);
         if (const Path* path = items[i].path) {
           append_ink(buffer, ink_of(*path, options.svg.fit_tolerance), path->points.front(),
                      path->closed);

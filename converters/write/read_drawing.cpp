@@ -191,14 +191,19 @@ Area read_area(const JsonPlace& place) {
   };
   value("face", area.face);
   value("tone", area.tone);
-  value("fill", area.fill);
-  value("opacity", area.opacity);
+  place.optional("fill", [&](const JsonPlace& fill) { read_color(fill, area.fill); });
+  place.optional("opacity", [&](const JsonPlace& opacity) {
+    opacity.set(area.opacity);
+    if (!(area.opacity >= 0 && area.opacity <= 1)) opacity.fail("takes an opacity from 0 to 1");
+  });
   value("ink", area.ink);
   value("tint", area.tint);
   value("role", area.role);
   place.optional("rings", [&](const JsonPlace& rings) {
-    rings.each(
-        [&](const JsonPlace& ring, std::size_t) { read_points(ring, area.rings.emplace_back()); });
+    rings.each([&](const JsonPlace& ring, std::size_t) {
+      if (ring.size() < 3) ring.fail(fmt::format("holds {} points; a ring has 3", ring.size()));
+      read_points(ring, area.rings.emplace_back());
+    });
   });
   return area;
 }
@@ -279,6 +284,7 @@ Contradiction read_contradiction(const JsonPlace& place) {
   value("face", c.source.face);
   value("edge", c.source.edge);
   value("length", c.length);
+  value("size", c.size);
   value("at", c.at);
   value("model", c.model);
   return c;
@@ -295,6 +301,9 @@ Verification read_verification(const JsonPlace& place) {
   value("contradicted", v.contradicted);
   value("count", v.count);
   value("loose_ends", v.loose_ends);
+  value("area", v.area);
+  value("wrong_area", v.wrong_area);
+  value("wrong_patches", v.wrong_patches);
   place.optional("contradictions", [&](const JsonPlace& list) {
     list.each([&](const JsonPlace& one, std::size_t) {
       v.contradictions.push_back(read_contradiction(one));

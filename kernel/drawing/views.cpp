@@ -42,6 +42,9 @@ void add(DrawingStats& to, const DrawingStats& from) {
   sum.contradicted += from.verify->contradicted;
   sum.count += from.verify->count;
   sum.loose_ends += from.verify->loose_ends;
+  sum.area += from.verify->area;
+  sum.wrong_area += from.verify->wrong_area;
+  sum.wrong_patches += from.verify->wrong_patches;
   sum.contradictions.insert(sum.contradictions.end(), from.verify->contradictions.begin(),
                             from.verify->contradictions.end());
 }

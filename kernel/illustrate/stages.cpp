@@ -113,7 +113,8 @@ std::vector<bool> transparent_ones(const PartStyles& part_styles) {
 }
 
 VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
-                             const PartStyles& part_styles, const IllustrateOptions& options) {
+                             const PartStyles& part_styles, const IllustrateOptions& options,
+                             std::span<const Area> areas) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
                        .outline = style.halo.gap <= 0 && draws_outline(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
@@ -122,6 +123,10 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
                                                         : PartOpacity::Solid);
     verify.crease_angles.push_back(part_styles.style(i).feature.crease_angle);
   }
+  if (areas.empty()) return verify;
+  const bool shadows = style.shadow.cast;
+  verify.areas = {areas, region_options(scene, part_styles, camera, shadows).tones};
+  if (shadows) verify.areas->shadows = tone::to_light(camera, style.tone);
   return verify;
 }
 
@@ -313,9 +318,10 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
                                options.verify ? &found : nullptr, labels, keeps, context);
   if (!keeps) *this = {};
   if (options.verify) {
-    drawing.stats.verify = verify(drawing, found, scene, camera,
-                                  verify_options(scene, camera, style, part_styles, options),
-                                  drawing.diagnostics, context);
+    drawing.stats.verify =
+        verify(drawing, found, scene, camera,
+               verify_options(scene, camera, style, part_styles, options, labels.areas),
+               drawing.diagnostics, context);
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);

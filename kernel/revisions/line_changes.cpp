@@ -3,6 +3,7 @@
 #include <burin/drawing/views.h>
 #include <burin/revisions/line_changes.h>
 
+#include "fill_changes.h"
 #include "looks.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -26,13 +28,6 @@ constexpr double kFarthest = 20, kStretched = 0.2;
 constexpr double kAboveLegend = 2;
 
 bool is_stroke(const Path& path) { return path.kind == LineClass::Stroke; }
-
-std::string part_of(const Drawing& drawing, std::int32_t id) {
-  for (const DrawingPart& part : drawing.parts) {
-    if (part.id == id) return part.name;
-  }
-  return {};
-}
 
 double whole_length(const Path& path) {
   const double length = length_of(path);
@@ -116,6 +111,7 @@ class Comparison {
       }
     }
     compare_texts();
+    out_.fills = detail::compare_fills(before_, after_, out_.tolerance, context_);
     out_.same_sheet =
         before_.paper_width == after_.paper_width && before_.paper_height == after_.paper_height;
     return std::move(out_);
@@ -134,7 +130,7 @@ class Comparison {
       }
       ChangedLine line{change,
                        drawing.layers[l].name,
-                       part_of(drawing, path.source.part),
+                       detail::part_name(drawing, path.source.part),
                        path.kind,
                        l,
                        p,
@@ -254,6 +250,13 @@ double foot_of(const Drawing& drawing) {
   return foot;
 }
 
+/// How many parts there are.
+std::size_t parts_of(const std::vector<ChangedFill>& fills) {
+  std::set<std::string> parts;
+  for (const ChangedFill& fill : fills) parts.insert(fill.part);
+  return parts.size();
+}
+
 /// Makes the sheet higher by so many mm, which are free below.
 void raise(Drawing& drawing, double by) {
   drawing.paper_height += by;
@@ -263,6 +266,11 @@ void raise(Drawing& drawing, double by) {
       for (Vec2& p : path.points) p.y += by;
     }
     for (Text& text : layer.texts) text.at.y += by;
+  }
+  for (Area& area : drawing.areas) {
+    for (std::vector<Vec2>& ring : area.rings) {
+      for (Vec2& p : ring) p.y += by;
+    }
   }
 }
 
@@ -322,6 +330,9 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   add_texts("same", same);
   add_texts("gone", difference.texts_gone);
   add_texts("new", difference.texts_new);
+  detail::FillPicture fills = detail::picture_of(difference.fills, before, after);
+  out.areas = std::move(fills.areas);
+  for (Path& border : fills.borders) layers.add("look", "fills", std::move(border));
   detail::sort_layers(out.layers);
   std::vector<detail::LegendEntry> entries;
   const auto entry = [&](const char* group, LineChange change, const char* word) {
@@ -332,6 +343,9 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   entry("new", LineChange::New, "new");
   entry("gone", LineChange::Gone, "gone");
   entry("moved-to", LineChange::Moved, "moved");
+  if (const std::size_t n = parts_of(difference.fills); n > 0) {
+    entries.push_back({{"look"}, fmt::format("{} of other colours", n)});
+  }
   entry("same", LineChange::Same, "same");
   Drawing legend;
   legend.paper_width = out.paper_width;

@@ -44,6 +44,7 @@ class Overlay {
 
   Drawing run() {
     begin();
+    add_areas();
     collect_changed();
     add_after();
     add_before();
@@ -85,6 +86,14 @@ class Overlay {
                            std::int32_t part) const {
     const auto found = known.find(part);
     return found == known.end() ? nullptr : &difference_.parts[found->second];
+  }
+
+  /// What is painted of parts of another look.
+  void add_areas() {
+    for (const Area& area : after_.areas) {
+      const PartDifference* part = of(of_after_, area.part);
+      if (part && part->match.look && !area.fill.empty()) out_.areas.push_back(area);
+    }
   }
 
   /// The lines of parts that have changed, hidden ones too.

@@ -92,6 +92,7 @@ struct Referee::Sight {
   double slope = 0;   // model mm of depth a model mm across
   double chord = 0;   // model mm that the triangle may be off
   double cosine = 1;  // between its triangle and the view
+  ProxyPoint point;
 };
 
 /// A point of a line.
@@ -124,7 +125,8 @@ Referee::Sight Referee::describe(const Hit& hit, Vec2 paper) const {
           .slope = slope_of(std::min(std::abs(smooth), std::abs(flat))),
           // Exact forms are as fine as was asked, which the slack holds.
           .chord = proxy.tolerance > 0 ? 0 : chord_error(proxy, hit.where.face),
-          .cosine = std::abs(flat)};
+          .cosine = std::abs(flat),
+          .point = {hit.where.face, hit.bary}};
 }
 
 std::optional<Referee::Sight> Referee::look(Vec2 paper) const {
@@ -183,6 +185,51 @@ void Referee::each_sheet(Vec2 paper, const Visit& visit) const {
     if (!hit || !visit(describe(*hit, paper))) return;
     from = hit->distance + 4 * occluder_->resolution();
   }
+}
+
+bool Referee::may_see(Vec2 paper, const std::function<bool(const Sheet&)>& accepts) const {
+  bool taken = false;
+  double first = std::numeric_limits<double>::infinity(), explained = 0;
+  each_sheet(paper, [&](const Sight& s) {
+    const auto off = [&] {
+      return (1 + s.slope) * (options_.slack / camera_.scale_at(s.place) + s.chord);
+    };
+    if (std::isinf(first)) {
+      first = s.depth;
+      explained = off();
+    } else if (first - s.depth > std::max(explained, off())) {
+      return false;
+    }
+    const Surface& surface = *surfaces_[static_cast<std::size_t>(s.part)];
+    const bool cut = surface.proxy().is_cut(s.point.face);
+    taken = accepts({s.part, s.face, cut, surface.exact(), s.place, s.point});
+    return !taken;
+  });
+  return taken;
+}
+
+Vec3 Referee::normal(const Sheet& sheet) const {
+  const Surface& surface = *surfaces_[static_cast<std::size_t>(sheet.part)];
+  const ProxyMesh& proxy = surface.proxy();
+  const Vec3 normal = surface.exact() ? surface.frame(surface.lift(sheet.point)).normal
+                                      : proxy.normal(sheet.point.face, sheet.point.bary);
+  const bool away = glm::dot(normal, camera_.to_viewer(sheet.place)) < 0;
+  return away && !proxy.closed(sheet.point.face) ? -normal : normal;
+}
+
+Referee::Shade Referee::shade(const Sheet& sheet, Vec3 to_light) const {
+  const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(sheet.part)];
+  const Vec3 light = glm::normalize(to_light);
+  Vec3 normal = proxy.mesh.normal(sheet.point.face);
+  if (glm::dot(normal, light) < 0) normal = -normal;
+  const auto shaded = [&](double off) {
+    return occluder_->occluded(sheet.place + off * normal, light, 0, 2 * occluder_->diagonal());
+  };
+  const double chord = proxy.tolerance > 0 ? 0 : chord_error(proxy, sheet.point.face);
+  const bool close = shaded(4 * occluder_->resolution());
+  const bool above = shaded(options_.slack / camera_.scale_at(sheet.place) + chord);
+  if (close != above) return Shade::Unsure;
+  return close ? Shade::Shaded : Shade::Lit;
 }
 
 // Whether two sheets lie within the slack of the point, one of them before it: which is in front is

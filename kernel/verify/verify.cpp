@@ -26,6 +26,8 @@ constexpr double kSameLine = kSheetTolerance;
 // Lines a step of progress, and a task.
 constexpr std::size_t kAtOnce = 1024, kGrain = 8;
 constexpr std::size_t kListed = 100, kNamed = 20;
+// A cosine: what tessellations of one mesh differ by in the light between facets.
+constexpr double kFacetLight = 0.01;
 
 /// What one line gave.
 struct Tested {
@@ -126,10 +128,13 @@ std::string with_article(const std::string& noun) {
          noun;
 }
 
+std::string place_of(Vec2 paper, Vec3 model) {
+  return fmt::format("at {:.1f},{:.1f} mm of the sheet (model {:.6g},{:.6g},{:.6g})", paper.x,
+                     paper.y, model.x, model.y, model.z);
+}
+
 std::string sentence(const Contradiction& c, const Scene& scene) {
-  const std::string where =
-      fmt::format("at {:.1f},{:.1f} mm of the sheet (model {:.6g},{:.6g},{:.6g})", c.at.x, c.at.y,
-                  c.model.x, c.model.y, c.model.z);
+  const std::string where = place_of(c.at, c.model);
   const std::string line = fmt::format("{} {}", to_string(c.kind), name_of(scene, c.source.part));
   if (c.what == "loose_end") {
     return fmt::format("the outer outline ends, {}, {}", with_article(line), where);
@@ -142,6 +147,21 @@ std::string sentence(const Contradiction& c, const Scene& scene) {
                      : c.what == "open"  ? "drawn as hidden, but nothing hides it"
                                          : "drawn where there is no surface";
   return fmt::format("{:.2f} mm of {} are {}, {}", c.length, with_article(line), says, where);
+}
+
+std::string sentence(const WrongArea& wrong, const Scene& scene) {
+  const auto& [finding, stated, seen, model] = wrong.answer;
+  const std::string whose = stated.part < 0 ? "bare sheet" : "areas " + name_of(scene, stated.part);
+  const std::string where = place_of(wrong.at, model);
+  if (finding == AreaFinding::WrongPart) {
+    const std::string what = seen.part < 0 ? "nothing" : "something " + name_of(scene, seen.part);
+    return fmt::format("{:.2f} mm2 of the {} are wrong, {} is seen there, {}", wrong.size, whose,
+                       what, where);
+  }
+  const bool face = finding == AreaFinding::WrongFace;
+  return fmt::format("{:.2f} mm2 of the {} have {} {}, but {} is seen there, {}", wrong.size, whose,
+                     face ? "face" : "tone", face ? stated.face : stated.tone,
+                     face ? seen.face : seen.tone, where);
 }
 
 void report(const Verification& v, const Scene& scene, Diagnostics& diagnostics) {
@@ -201,6 +221,8 @@ class Referees {
 
   /// Of all parts that are drawn.
   const Referee& all() const { return *all_; }
+  /// Of those that cannot be looked through.
+  const Referee& solid() const { return *solid_; }
   /// Null where the part has no fine surface.
   const Referee* of(std::int32_t part) const {
     const auto i = static_cast<std::size_t>(part);
@@ -239,6 +261,60 @@ void add_loose_ends(const Drawing& drawing, Verification& verification) {
   }
 }
 
+/// The sheet as far as lines and areas reach, and a mm around them.
+Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<const Area> areas) {
+  constexpr double kAround = 1;
+  Box2 box;
+  for (const Path& path : lines) {
+    if (!path.visible) continue;
+    for (const Vec2& p : path.points) box.add(p);
+  }
+  for (const Area& area : areas) {
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (const Vec2& p : ring) box.add(p);
+    }
+  }
+  if (box.empty()) return box;
+  return {glm::max(box.min - kAround, Vec2(0)),
+          glm::min(box.max + kAround, Vec2(drawing.paper_width, drawing.paper_height))};
+}
+
+void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
+                const VerifyOptions& options, const Referees& court, Diagnostics& diagnostics,
+                const RunContext& context, Verification& out) {
+  AreaRule rule = *options.areas;
+  rule.facet_light = kFacetLight;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    rule.glass.push_back(flagged(options, i, PartOpacity::Transparent));
+  }
+  const AreaWitnesses witnesses{court.solid(), court.all(),
+                                [&](std::int32_t part) { return court.of(part); }};
+  const AreaJudge judge(rule, witnesses);
+  const AreaFindings found =
+      wrong_areas(judge, used_sheet(drawing, lines, rule.areas), drawing.seed, context);
+  out.area = found.tested;
+  out.wrong_patches = static_cast<std::int64_t>(found.wrong.size());
+  for (std::size_t i = 0; i < found.wrong.size(); ++i) {
+    const WrongArea& wrong = found.wrong[i];
+    out.wrong_area += wrong.size;
+    if (i >= kListed) continue;
+    const std::string what = to_string(wrong.answer.finding);
+    out.contradictions.push_back(
+        {.what = what,
+         .source = {wrong.answer.stated.part, wrong.answer.stated.face, -1},
+         .size = wrong.size,
+         .at = wrong.at,
+         .model = wrong.answer.model});
+    if (i >= kNamed) continue;
+    diagnostics.add(Severity::Warning, "verify." + what, 1, sentence(wrong, scene));
+  }
+  if (found.wrong.size() > kNamed) {
+    const std::size_t more = found.wrong.size() - kNamed;
+    diagnostics.add(Severity::Warning, "verify.more", static_cast<std::int64_t>(more),
+                    fmt::format("{} more patches where rays contradict the areas", more));
+  }
+}
+
 }  // namespace
 
 Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
@@ -264,6 +340,7 @@ Verification verify(const Drawing& drawing, std::span<const Path> lines, const S
   if (out.contradictions.size() > kListed) out.contradictions.resize(kListed);
   if (options.outline) add_loose_ends(drawing, out);
   report(out, scene, diagnostics);
+  if (options.areas) test_areas(drawing, lines, scene, options, court, diagnostics, context, out);
   context.end_stage();
   return out;
 }

@@ -8,7 +8,7 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/session.h>
 #include <burin/tone/catalogue.h>
-#include <burin/visibility/occluder.h>
+#include <burin/verify/areas.h>
 
 #include <fmt/format.h>
 
@@ -28,76 +28,11 @@
 namespace burin {
 namespace {
 
-/// Paper mm: nearer to a border a place may count to either side.
-constexpr double kBeside = 0.12;
-
 double now() {
   timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
-
-/// Sides of all areas, by rows of the sheet.
-class Sides {
- public:
-  explicit Sides(const Drawing& drawing) {
-    for (std::size_t a = 0; a < drawing.areas.size(); ++a) {
-      for (const auto& ring : drawing.areas[a].rings) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-          add({ring[i], ring[(i + 1) % ring.size()], a});
-        }
-      }
-    }
-  }
-
-  /// Those that hold a place.
-  std::vector<std::size_t> at(Vec2 p) const {
-    std::map<std::size_t, int> crossed;
-    each(p.y, [&](const Side& s) {
-      if ((s.a.y > p.y) == (s.b.y > p.y)) return;
-      if (s.a.x + (s.b.x - s.a.x) * (p.y - s.a.y) / (s.b.y - s.a.y) > p.x) ++crossed[s.area];
-    });
-    std::vector<std::size_t> out;
-    for (const auto& [area, n] : crossed) {
-      if (n % 2 == 1) out.push_back(area);
-    }
-    return out;
-  }
-
-  bool near(Vec2 p) const {
-    bool found = false;
-    each(p.y, [&](const Side& s) {
-      const Vec2 d = s.b - s.a;
-      const double l = glm::dot(d, d),
-                   t = l > 0 ? std::clamp(glm::dot(p - s.a, d) / l, 0.0, 1.0) : 0;
-      found = found || glm::distance(p, s.a + t * d) <= kBeside;
-    });
-    return found;
-  }
-
- private:
-  struct Side {
-    Vec2 a, b;
-    std::size_t area;
-  };
-  static constexpr double kRow = 0.25;
-
-  static long row(double y) { return std::lround(std::floor(y / kRow)); }
-  void add(const Side& s) {
-    for (long r = row(std::min(s.a.y, s.b.y) - kBeside); r <= row(std::max(s.a.y, s.b.y) + kBeside);
-         ++r) {
-      rows_[r].push_back(s);
-    }
-  }
-  template <class F>
-  void each(double y, F&& f) const {
-    const auto it = rows_.find(row(y));
-    if (it == rows_.end()) return;
-    for (const Side& s : it->second) f(s);
-  }
-
-  std::map<long, std::vector<Side>> rows_;
-};
 
 struct Task {
   std::string model, view;
@@ -107,63 +42,23 @@ struct Task {
   double number(const char* key) const { return std::stod(values.at(key)); }
 };
 
-/// Realised once more, and what a ray meets of it.
-class Truth {
- public:
-  Truth(const Scene& scene, const Camera& camera, const Style& style, bool faces,
-        RunContext& context)
-      : camera_(camera), faces_(faces), cast_(style.shadow.cast) {
-    light_.light = glm::normalize(tone::to_light(camera, style.tone));
-    light_.levels = even_levels(static_cast<std::size_t>(std::max(style.fill.steps, 1)));
-    if (cast_ && light_.levels.empty()) light_.levels = {0.2};  // as in drawings
-    const RealiseOptions how{.tolerance = 0.05 / camera.scale(),
-                             .crease_angle = style.feature.crease_angle,
-                             .curvature = false,
-                             .view = &camera};
-    for (const Part& part : scene.parts) {
-      try {
-        surfaces_.push_back(part.form->realise(how, context));
-        proxies_.push_back(&surfaces_.back()->proxy());
-      } catch (const Error&) {
-        surfaces_.push_back(nullptr);
-        proxies_.push_back(&nothing_);
-      }
+/// Realised once more, as finely as the drawing.
+FineSurfaces surfaces_of(const Scene& scene, const Camera& camera, const Style& style,
+                         RunContext& context) {
+  const RealiseOptions how{.tolerance = 0.05 / camera.scale(),
+                           .crease_angle = style.feature.crease_angle,
+                           .curvature = false,
+                           .view = &camera};
+  FineSurfaces surfaces;
+  for (const Part& part : scene.parts) {
+    try {
+      surfaces.push_back(part.form->realise(how, context));
+    } catch (const Error&) {
+      surfaces.push_back(nullptr);
     }
-    occluder_ = std::make_unique<Occluder>(proxies_, context);
   }
-
-  /// Part, face, step; -1 where there is nothing.
-  std::array<std::int32_t, 3> at(Vec2 p) const {
-    ViewRay ray = camera_.ray(p);
-    const double back = 2 * occluder_->diagonal();
-    if (!camera_.perspective()) ray.origin -= back * ray.direction;
-    const auto hit = occluder_->first_hit(ray.origin, ray.direction, 0,
-                                          2 * back + camera_.distance_to_viewer(camera_.center()));
-    if (!hit) return {-1, -1, -1};
-    const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(hit->where.part)];
-    const Surface* surface = surfaces_[static_cast<std::size_t>(hit->where.part)].get();
-    Vec3 n = surface->exact() ? surface->frame(surface->lift({hit->where.face, hit->bary})).normal
-                              : proxy.normal(hit->where.face, hit->bary);
-    if (!proxy.closed(hit->where.face) && glm::dot(n, ray.direction) > 0) n = -n;
-    std::int32_t step = step_of(light_, n);
-    if (cast_ && step > 0 && shaded(ray.origin + hit->distance * ray.direction, n)) step = 0;
-    return {hit->where.part, faces_ ? proxy.face_source(hit->where.face) : -1, step};
-  }
-
- private:
-  bool shaded(Vec3 p, Vec3 n) const {
-    const double off = 0.02 / camera_.scale();
-    return occluder_->occluded(p + off * n, light_.light, 0, 2 * occluder_->diagonal());
-  }
-
-  const Camera& camera_;
-  bool faces_, cast_;
-  Isophotes light_;
-  ProxyMesh nothing_;
-  std::vector<std::shared_ptr<const Surface>> surfaces_;
-  std::vector<const ProxyMesh*> proxies_;
-  std::unique_ptr<Occluder> occluder_;
-};
+  return surfaces;
+}
 
 void paint(const Drawing& drawing, std::size_t steps, const std::string& file,
            const std::vector<Vec2>& wrong) {
@@ -251,8 +146,13 @@ void run(const Task& asked) {
   const double of_light = timed({.face_areas = faces}, again) - of_same;
   style = asked_style;
 
-  const Truth truth(scene, camera, style, faces, context);
-  const Sides sides(drawing);
+  const Referee referee(surfaces_of(scene, camera, style, context), camera, {}, context);
+  Isophotes light{tone::to_light(camera, style.tone), even_levels(std::max<std::size_t>(steps, 1))};
+  if (style.shadow.cast && light.levels.empty()) light.levels = {0.2};  // as in drawings
+  AreaRule rule{drawing.areas, std::vector<Isophotes>(scene.parts.size(), light)};
+  if (style.shadow.cast) rule.shadows = light.light;
+  const AreaWitnesses witnesses{referee, referee};
+  const AreaJudge judge(rule, witnesses);
   Box2 box;
   std::size_t rings = 0, corners = 0;
   for (const Area& area : drawing.areas) {
@@ -275,24 +175,13 @@ void run(const Task& asked) {
   std::vector<Vec2> places;
   for (std::size_t i = 0, n = static_cast<std::size_t>(size.x * size.y / share); i < n; ++i) {
     const Vec2 p(x(random), y(random));
-    const auto seen = truth.at(p);
-    const auto in = sides.at(p);
-    shape += seen[0] >= 0 ? share : 0;
-    std::array<std::int32_t, 3> told{-1, -1, -1};
-    if (!in.empty()) {
-      // Darker steps lie over lighter ones.
-      const Area& area = drawing.areas[in.back()];
-      told = {area.part, faces ? area.face : -1, std::max(area.tone, 0)};
-    }
-    const auto other = [&](std::size_t a) {
-      return drawing.areas[a].part != drawing.areas[in.back()].part ||
-             (faces && drawing.areas[a].face != drawing.areas[in.back()].face);
-    };
-    if (told == seen && std::ranges::none_of(in, other)) continue;
+    shape += referee.see(p) ? share : 0;
+    const AreaAnswer answer = judge.at(p);
+    if (answer.finding == AreaFinding::Holds) continue;
     wrong += share;
-    if (sides.near(p)) continue;
+    if (judge.beside_border(p)) continue;
     open += share;
-    part_open += told[0] != seen[0] ? share : 0;
+    part_open += answer.finding == AreaFinding::WrongPart ? share : 0;
     places.push_back(p);
   }
   std::string name = asked.model.substr(asked.model.find_last_of('/') + 1);
@@ -302,13 +191,9 @@ void run(const Task& asked) {
       name, asked.view, scene.parts.size(), shape, drawing.areas.size(), rings, corners, wrong,
       open, part_open, of_lines, of_areas, of_color, of_light);
   for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 6); ++i) {
-    const auto seen = truth.at(places[i]);
-    const auto in = sides.at(places[i]);
-    fmt::print("{:.2f},{:.2f}:{}/{}/{}!{} ", places[i].x, places[i].y, seen[0], seen[1], seen[2],
-               in.empty() ? std::string("-")
-                          : fmt::format("{}/{}/{}x{}", drawing.areas[in.back()].part,
-                                        drawing.areas[in.back()].face,
-                                        drawing.areas[in.back()].tone, in.size()));
+    const auto& [finding, stated, seen, model] = judge.at(places[i]);
+    fmt::print("{:.2f},{:.2f}:{}/{}/{}!{}/{}/{} ", places[i].x, places[i].y, seen.part, seen.face,
+               seen.tone, stated.part, stated.face, stated.tone);
   }
   fmt::print("\n");
   if (!asked.values.at("picture").empty())

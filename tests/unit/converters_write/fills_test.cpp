@@ -83,12 +83,32 @@ TEST(FilledAreas, OfPngHaveHolesAndAreSeenThrough) {
   EXPECT_EQ(at(125, 65), (Color{255, 255, 255})) << "one without a colour";
 }
 
-TEST(FilledAreas, OfEpsAreEvenOddAndMixedWithThePaper) {
+TEST(FilledAreas, OfEpsAreEvenOddAndMixedWithWhatLiesBeneath) {
   const std::string eps = written(filled(0.5), "eps");
   EXPECT_NE(eps.find("1.0000 0.0000 0.0000 setrgbcolor\n20000 60000 m\n"), std::string::npos)
       << eps;
   EXPECT_NE(eps.find("gsave eofill grestore 100 w s"), std::string::npos);
-  EXPECT_NE(eps.find("0.5020 0.5020 1.0000 setrgbcolor"), std::string::npos);
+  // Over the paper, and within that over the red one, which is painted again.
+  const std::size_t paper = eps.find("0.5020 0.5020 1.0000 setrgbcolor\n70000 80000 m\n");
+  ASSERT_NE(paper, std::string::npos) << eps;
+  const std::size_t clip = eps.find("gsave gsave eofill grestore eoclip newpath\n", paper);
+  ASSERT_NE(clip, std::string::npos);
+  const std::size_t red = eps.find("0.5020 0.0000 0.5020 setrgbcolor\n20000 60000 m\n", clip);
+  ASSERT_NE(red, std::string::npos) << eps;
+  EXPECT_NE(eps.find("grestore\n", red), std::string::npos);
+}
+
+TEST(FilledAreas, OfEpsThatLieBesideEachOtherArePaintedOnce) {
+  Drawing drawing = filled();
+  for (Area& area : drawing.areas) area.opacity = 0.5;
+  drawing.areas[1].rings = {{{120, 80}, {140, 80}, {140, 100}, {120, 100}}};
+  const std::string eps = written(drawing, "eps");
+  EXPECT_EQ(eps.find("eoclip"), std::string::npos) << eps;
+  // Of many on each other there is an end.
+  Drawing deep = filled();
+  deep.areas.assign(12, deep.areas[0]);
+  for (Area& area : deep.areas) area.opacity = 0.5;
+  EXPECT_LT(written(deep, "eps").size(), 1U << 20U);
 }
 
 TEST(FilledAreas, OfDxfAreSolidHatchesOnALayerOfTheirOwn) {

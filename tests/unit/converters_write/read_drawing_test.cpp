@@ -40,6 +40,23 @@ Drawing full_drawing() {
                                             .length = 1.25,
                                             .at = {10.5, 20.25},
                                             .model = {1, -2, 3e-7}});
+  d.stats.verify->area = 123.25;
+  d.stats.verify->wrong_area = 0.75;
+  d.stats.verify->wrong_patches = 1;
+  d.stats.verify->contradictions.push_back({.what = "wrong_tone",
+                                            .source = {1, 4, -1},
+                                            .size = 0.75,
+                                            .at = {11, 21.5},
+                                            .model = {1, 2, 3}});
+  const double third = 1.0 / 3;
+  d.areas = {{.part = 0, .rings = {{{third, 0}, {10, third}, {10, 2 * third}}}},
+             {.part = 1,
+              .face = 7,
+              .tone = 2,
+              .fill = "#12ab34",
+              .opacity = third,
+              .rings = {{{0, 0}, {20.00004, 0}, {20, 1e-4}, {-5e-5, 9}},
+                        {{1, 1}, {1, 2}, {2 * third, 1}}}}};
   return d;
 }
 
@@ -76,6 +93,27 @@ TEST(ReadDrawing, KeepsEveryField) {
   EXPECT_EQ(b.stats.tone_gamma, 0.75);
 }
 
+// Places of areas and of lines are rounded alike, so that a border which lies on a line stays
+// there.
+TEST(ReadDrawing, AreasKeepToTheirLines) {
+  Drawing a = full_drawing();
+  Path line;
+  line.points = a.areas[1].rings[0];
+  line.width = {0.25};
+  a.layers.push_back({"borders", {line}});
+  const Drawing b = parsed(written(a, "json"));
+  ASSERT_EQ(b.areas.size(), 2u);
+  EXPECT_EQ(b.layers.back().paths[0].points, b.areas[1].rings[0]);
+  ASSERT_EQ(b.areas[1].rings.size(), 2u);
+  EXPECT_EQ(b.areas[1].face, 7);
+  EXPECT_EQ(b.areas[1].tone, 2);
+  EXPECT_EQ(b.areas[1].fill, "#12ab34");
+  EXPECT_EQ(b.areas[1].opacity, 1.0 / 3);
+  EXPECT_EQ(b.stats.verify->wrong_area, 0.75);
+  EXPECT_EQ(b.stats.verify->contradictions[1].size, 0.75);
+  EXPECT_EQ(written(b, "svg"), written(parsed(written(b, "json")), "svg"));
+}
+
 TEST(ReadDrawing, OtherProgramsMayLeaveOutAndAdd) {
   const Drawing d = parsed(least());
   ASSERT_EQ(d.layers.size(), 1u);
@@ -106,6 +144,16 @@ TEST(ReadDrawing, SaysWhatIsWrongWhere) {
             "a.json: paper.width: takes a side over 0 and up to 10000 mm");
   EXPECT_EQ(refusal(R"({"format": "burin-drawing", "version": 1, "paper": {"width": 1}})"),
             "a.json: paper: lacks \"height\"");
+  const auto area = [](const std::string& text) {
+    return refusal(R"({"format": "burin-drawing", "version": 1, "paper": {"width": 1, "height": 1},
+                       "areas": [)" +
+                   text + R"(], "layers": []})");
+  };
+  EXPECT_EQ(area(R"({"part": 0, "fill": "red"})"), "a.json: areas[0].fill: takes a colour #rrggbb");
+  EXPECT_EQ(area(R"({"part": 0, "opacity": 1.5})"),
+            "a.json: areas[0].opacity: takes an opacity from 0 to 1");
+  EXPECT_EQ(area(R"({"part": 0, "rings": [[[0, 0], [1, 1]]]})"),
+            "a.json: areas[0].rings[0]: holds 2 points; a ring has 3");
   EXPECT_EQ(path(R"({"points": [[0, 0], [1, NaN]]})"),
             "a.json:3: NaN and Infinity are no numbers of JSON");
   EXPECT_EQ(path(R"({"points": [[0, 0], [1, -Infinity]]})"),

@@ -176,5 +176,109 @@ TEST(LineChanges, CanBeCancelled) {
   EXPECT_THROW(compare_drawings(square(), square(), 0.1, context), Cancelled);
 }
 
+/// The square painted, its right half darker: as areas that lie over each other.
+Drawing painted(const char* color, double from = 60) {
+  Drawing d = square();
+  d.areas.push_back(
+      {.part = 0, .tone = 1, .fill = color, .rings = {{{50, 50}, {70, 50}, {70, 70}, {50, 70}}}});
+  d.areas.push_back({.part = 0,
+                     .tone = 0,
+                     .fill = "#202020",
+                     .rings = {{{from, 50}, {70, 50}, {70, 70}, {from, 70}}}});
+  return d;
+}
+
+TEST(LineChanges, FlatColoursOfOneDrawingAreTheSame) {
+  EXPECT_TRUE(compared(painted("#80a0c0"), painted("#80a0c0")).same());
+  // Rings that begin elsewhere, one area in two, and what is painted over: it looks the same.
+  Drawing other = painted("#80a0c0");
+  std::ranges::rotate(other.areas[0].rings[0], other.areas[0].rings[0].begin() + 2);
+  other.areas.insert(other.areas.begin(),
+                     Area{.part = 0, .fill = "#ff0000", .rings = {{{51, 51}, {52, 51}, {52, 52}}}});
+  EXPECT_TRUE(compared(painted("#80a0c0"), other).same());
+  // Areas that are not painted are no ink.
+  Drawing bare = square();
+  bare.areas.push_back({.part = 0, .rings = {{{50, 50}, {70, 50}, {70, 70}}}});
+  EXPECT_TRUE(compared(square(), bare).same());
+}
+
+TEST(LineChanges, AnotherColourOfAPart) {
+  const LineDifference d = compared(painted("#80a0c0"), painted("#ff0000"));
+  EXPECT_FALSE(d.same());
+  EXPECT_TRUE(d.lines.empty());
+  ASSERT_EQ(d.fills.size(), 1U);
+  EXPECT_EQ(d.fills[0].part, "block");
+  EXPECT_EQ(d.fills[0].before, "#80a0c0");
+  EXPECT_EQ(d.fills[0].after, "#ff0000");
+  EXPECT_NEAR(d.fills[0].size, 200, 15);
+  EXPECT_GT(d.fills[0].at.x, 50);
+  EXPECT_LT(d.fills[0].at.x, 60);
+}
+
+TEST(LineChanges, AnotherToneAndAnotherOpacityOfAPart) {
+  const LineDifference tone = compared(painted("#80a0c0", 60), painted("#80a0c0", 65));
+  ASSERT_EQ(tone.fills.size(), 1U);
+  EXPECT_EQ(tone.fills[0].before, "#202020");
+  EXPECT_EQ(tone.fills[0].after, "#80a0c0");
+  EXPECT_NEAR(tone.fills[0].size, 100, 10);
+  Drawing pale = painted("#80a0c0");
+  pale.areas[0].opacity = 0.5;
+  const LineDifference opacity = compared(painted("#80a0c0"), pale);
+  ASSERT_EQ(opacity.fills.size(), 1U);
+  EXPECT_EQ(opacity.fills[0].after, "#c0d0e0") << "mixed with the paper";
+}
+
+TEST(LineChanges, AColourThatIsNewOrGone) {
+  const LineDifference added = compared(square(), painted("#80a0c0")),
+                       gone = compared(painted("#80a0c0"), square());
+  ASSERT_EQ(added.fills.size(), 2U);
+  ASSERT_EQ(gone.fills.size(), 2U);
+  EXPECT_EQ(added.fills[0].before, "");
+  EXPECT_EQ(gone.fills[0].after, "");
+  EXPECT_EQ(gone.fills[0].part, "block");
+}
+
+TEST(LineChanges, ColoursAreShownInThePicture) {
+  const Drawing before = painted("#80a0c0"), after = painted("#ff0000");
+  const RunContext context;
+  const Drawing d = overlay({before, after}, compared(before, after), {}, context);
+  ASSERT_EQ(d.areas.size(), 2U);
+  EXPECT_EQ(d.areas[0].fill, "#ff0000");
+  const auto fills = std::ranges::find(d.layers, "look-fills", &Layer::name);
+  ASSERT_NE(fills, d.layers.end());
+  EXPECT_EQ(fills->paths.size(), 2U);
+  bool told = false;
+  for (const Layer& layer : d.layers) {
+    for (const Text& text : layer.texts) told = told || text.text == "1 of other colours";
+  }
+  EXPECT_TRUE(told);
+  // Of colours that are gone borders are left.
+  const Drawing bare = square();
+  const Drawing gone = overlay({before, bare}, compared(before, bare), {}, context);
+  EXPECT_TRUE(gone.areas.empty());
+  EXPECT_NE(std::ranges::find(gone.layers, "look-fills", &Layer::name), gone.layers.end());
+  // What did not change is not painted.
+  EXPECT_TRUE(overlay({before, before}, compared(before, before), {}, context).areas.empty());
+}
+
+TEST(LineChanges, ColoursFollowASheetThatGetsHigherForTheLegend) {
+  Drawing before = painted("#80a0c0"), after = painted("#ff0000");
+  for (Drawing* d : {&before, &after}) {
+    d->paper_width = 120, d->paper_height = 120;
+    for (Layer& layer : d->layers) {
+      for (Path& path : layer.paths) {
+        for (Vec2& p : path.points) p.y -= 49;
+      }
+    }
+    for (Area& area : d->areas) {
+      for (Vec2& p : area.rings[0]) p.y -= 49;
+    }
+  }
+  const RunContext context;
+  const Drawing d = overlay({before, after}, compared(before, after), {}, context);
+  ASSERT_GT(d.paper_height, 120);
+  EXPECT_NEAR(d.areas[0].rings[0][0].y, 1 + d.paper_height - 120, 1e-9);
+}
+
 }  // namespace
 }  // namespace burin

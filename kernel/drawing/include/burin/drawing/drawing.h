@@ -172,17 +172,22 @@ struct DrawingPart {
   std::string color = {};
 };
 
-/// A stretch of a line where rays contradict the drawing, or an end of the outer outline
-/// that nothing goes on from.
+/// A stretch of a line or a patch of an area where rays contradict the drawing, or an end of the
+/// outer outline that nothing goes on from.
 struct Contradiction {
   /// "covered": drawn, though something stands before it. "open": left out or dashed as hidden,
   /// though nothing does. "adrift": drawn where there is no surface. "missing": a stretch of the
-  /// outer outline that is not drawn. "loose_end": see there.
+  /// outer outline that is not drawn. "loose_end": see there. "wrong_part", "wrong_face",
+  /// "wrong_tone": a patch where areas state another one than is seen.
   std::string what;
   LineClass kind = LineClass::Contour;
+  /// Of the line; of a patch what areas state, no part: the bare sheet.
   SourceId source;
-  /// Paper mm; its middle on paper and in the model.
+  /// Of a line, paper mm.
   double length = 0;
+  /// Of a patch, paper mm^2.
+  double size = 0;
+  /// Its middle on paper and in the model.
   Vec2 at{0};
   Vec3 model{0};
 };
@@ -196,7 +201,12 @@ struct Verification {
   double contradicted = 0;
   std::int64_t count = 0;
   std::int64_t loose_ends = 0;
-  /// The longest of them, at most a hundred, then loose ends, at most a hundred.
+  /// Where the drawing has areas: paper mm^2 tested, how much of it rays contradict, in patches of
+  /// 0.25 mm^2 and more, and how many.
+  double area = 0;
+  double wrong_area = 0;
+  std::int64_t wrong_patches = 0;
+  /// The longest of lines, loose ends, then the largest of areas, of each a hundred at most.
   std::vector<Contradiction> contradictions;
 
   double share() const { return length > 0 ? contradicted / length : 0; }

@@ -1,5 +1,5 @@
 #pragma once
-/// What two drawings differ by, line by line.
+/// What two drawings differ by, line by line and colour by colour.
 
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
@@ -31,8 +31,21 @@ struct ChangedLine {
   double distance = 0;
 };
 
+/// What the flat colours of a part have become.
+struct ChangedFill {
+  /// Of the new drawing where that paints a part there, else of the old one; empty: a shadow.
+  std::string part;
+  /// "#rrggbb" as seen, mixed with what lies beneath; empty: nothing is painted.
+  std::string before, after;
+  /// Paper mm^2, and a place in them.
+  double size = 0;
+  Vec2 at{0};
+};
+
 struct LineDifference {
   std::vector<ChangedLine> lines;
+  /// By part, then the largest first.
+  std::vector<ChangedFill> fills;
   /// Paths, and paper mm, by `LineChange`.
   std::array<std::size_t, kLineChanges> counts{};
   std::array<double, kLineChanges> lengths{};
@@ -43,7 +56,7 @@ struct LineDifference {
   double tolerance = 0;
 
   bool same() const {
-    return lines.empty() && texts_new.empty() && texts_gone.empty() && same_sheet;
+    return lines.empty() && fills.empty() && texts_new.empty() && texts_gone.empty() && same_sheet;
   }
 };
 
@@ -51,13 +64,15 @@ struct LineDifference {
 /// path is the same where all of it lies within `tolerance` paper mm of lines of the other drawing,
 /// but for stretches of less than twice that; it has moved where a path of the same part, kind,
 /// face and edge, and about the same length, is gone within 20 mm of it. Widths and the order of
-/// layers do not count. Throws Cancelled. Cost: 0.2 us a question, two of which a tolerance of
-/// line.
+/// layers do not count. Flat colours are compared every 0.5 mm, farther than `tolerance` from where
+/// one of the drawings changes its colour. Throws Cancelled. Cost: 0.2 us a question, two of which
+/// a tolerance of line.
 LineDifference compare_drawings(const Drawing& before, const Drawing& after, double tolerance,
                                 const RunContext& context);
 
 /// The new drawing light, with lines that are new in layers "new-", what is gone (or was elsewhere)
-/// in "gone-", moved lines in "moved-to-", and "legend", for which the sheet gets higher where the
+/// in "gone-", moved lines in "moved-to-", the areas of parts whose colours are others in these and
+/// with borders in "look-fills", and "legend", for which the sheet gets higher where the
 /// drawings leave no room below. Looks as those of the other `overlay`.
 Drawing overlay(const RevisionDrawings& drawings, const LineDifference& difference,
                 const OverlayOptions& options, const RunContext& context);

@@ -29,11 +29,11 @@ double legend_height(const CalloutOptions& letters, double width);
 /// their parts and by the layers of the drawings ("same-crease"): "same-" light, "changed-to-" in
 /// full, with lines that it had not in "changed-new-" and those that it has no more in
 /// "changed-from-", "moved-from-" and "moved-to-" with arrows in "moved-arrows", "added-",
-/// "removed-", "renamed-", "look-"; "legend" says how many there are of each. Colours come with
-/// dashes and widths, so that they may be missing. Parts of `before` have the numbers behind those
-/// of `after`; `Drawing::items` has one entry a part of the difference, in its order, from 1.
-/// Lines are one within 0.2 mm of paper. Throws Cancelled. Cost: that of a look every 0.1 mm along
-/// the lines of changed parts.
+/// "removed-", "renamed-", "look-"; areas are painted of parts of another look alone; "legend" says
+/// how many there are of each. Colours come with dashes and widths, so that they may be missing.
+/// Parts of `before` have the numbers behind those of `after`; `Drawing::items` has one entry a
+/// part of the difference, in its order, from 1. Lines are one within 0.2 mm of paper. Throws
+/// Cancelled. Cost: that of a look every 0.1 mm along the lines of changed parts.
 Drawing overlay(const RevisionDrawings& drawings, const Difference& difference,
                 const SheetOfViews& sheet, const OverlayOptions& options,
                 const RunContext& context);

@@ -9,6 +9,7 @@
 #include <burin/visibility/occluder.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,6 +64,27 @@ class Referee {
     double chord = 0;
   };
   std::optional<Seen> see(Vec2 paper) const;
+  /// A sheet of a part that is seen at a place.
+  struct Sheet {
+    std::int32_t part = -1, face = -1;
+    /// Whether it closes a cut, and whether it is of an exact surface.
+    bool cut = false, exact = false;
+    Vec3 place{0};
+    /// Where on its proxy.
+    ProxyPoint point;
+  };
+  /// Whether `accepts` takes the foremost sheet at a place, or one that lies behind it by no more
+  /// than both tessellations may be off: any of them may be the one that is seen. False where there
+  /// is paper.
+  bool may_see(Vec2 paper, const std::function<bool(const Sheet&)>& accepts) const;
+  /// Of the exact surface where there is one, of the side that is looked at.
+  Vec3 normal(const Sheet& sheet) const;
+  /// What stands between a sheet and a light far away.
+  enum class Shade : std::uint8_t { Lit, Shaded, Unsure };
+  /// `to_light`: from the model. Unsure: what shades it, or does not, is as near to the sheet as
+  /// both tessellations may be off. Cost: two rays.
+  Shade shade(const Sheet& sheet, Vec3 to_light) const;
+  double radius() const { return options_.radius; }
   /// How the surface bends at a line: a contour is a fold, a sharp one where it is an edge.
   enum class Fold : std::uint8_t { None, Sharp, Smooth };
   /// What speaks against `point` of a line being visible, or hidden, as `visible` says. Cost: one

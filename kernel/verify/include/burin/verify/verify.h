@@ -5,7 +5,9 @@
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
 #include <burin/surface/scene.h>
+#include <burin/verify/areas.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct VerifyOptions {
   std::vector<double> crease_angles{};
   /// Whether the outer outline is drawn whole, so that its loose ends are defects.
   bool outline = true;
+  /// Areas are tested where they are given; `AreaRule::glass` follows from `parts`.
+  std::optional<AreaRule> areas{};
 };
 
 /// Tests `lines` (all that `drawing` draws, with points3 as dense as they were found, and what it
@@ -35,15 +39,14 @@ struct VerifyOptions {
 /// contradiction is a stretch of 0.5 mm and more of one line where at every place, wherever one
 /// looks within 0.1 mm (or twice the drawing's tolerance, if that is more), rays against a
 /// tessellation four times finer than the drawing's say the opposite of it
-/// (kernel/verify/README.md). The longest twenty are named in `diagnostics`, so are parts that
-/// cannot be tessellated. Rays are timed as stage "verify". Deterministic for any number of
-/// threads; throws Cancelled. Cost: at most 1,000 rays a mm of line, mostly 8, and the
-/// tessellation.
+/// (kernel/verify/README.md). Areas are tested as `wrong_areas` has it, on the sheet and a mm
+/// around them and the lines. The longest twenty of lines and the largest twenty of areas are named
+/// in `diagnostics`, so are parts that cannot be tessellated. Rays are timed as stage "verify".
+/// Deterministic for any number of threads; throws Cancelled. Cost: at most 1,000 rays a mm of
+/// line, mostly 8, and the tessellation.
 Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
                     const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
                     RunContext& context);
-
-class Referee;
 
 /// Stretches of the border between object and paper, as a grid of rays a quarter of a mm apart
 /// finds it (wider where that would be more than a million), without a visible feature line within

@@ -1,0 +1,143 @@
+#include "fill_changes.h"
+
+#include <burin/base/box.h>
+#include <burin/drawing/color.h>
+#include <burin/verify/areas_at.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// Paper mm between places that are compared.
+constexpr double kStep = 0.5;
+constexpr double kBorderWidth = 0.35;
+
+bool paints(const Area& area) { return !area.fill.empty() && area.opacity > 0; }
+
+/// What a drawing paints.
+class Painted {
+ public:
+  explicit Painted(const Drawing& drawing)
+      : drawing_(drawing),
+        areas_(drawing.areas, kStep),
+        paper_(rgb_of(drawing.paper_color).value_or(Rgb{255, 255, 255})) {}
+
+  struct Seen {
+    /// Empty: nothing is painted.
+    std::string color;
+    std::int32_t part = -1;
+  };
+  Seen at(Vec2 p) const {
+    Seen seen;
+    Rgb color = paper_;
+    for (const std::size_t k : areas_.at(p)) {
+      const Area& area = drawing_.areas[k];
+      const auto fill = paints(area) ? rgb_of(area.fill) : std::nullopt;
+      if (!fill) continue;
+      color = over(*fill, area.opacity, color);
+      seen = {to_text(color), area.part};
+    }
+    return seen;
+  }
+  /// Whether the colour is one within `reach`.
+  bool even(Vec2 p, double reach, const std::string& color) const {
+    for (const Vec2 way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+      if (at(p + reach * way).color != color) return false;
+    }
+    return true;
+  }
+  std::string part(std::int32_t id) const { return part_name(drawing_, id); }
+
+ private:
+  const Drawing& drawing_;
+  AreasAt areas_;
+  Rgb paper_;
+};
+
+Box2 painted_box(const Drawing& drawing) {
+  Box2 box;
+  for (const Area& area : drawing.areas) {
+    if (!paints(area)) continue;
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (const Vec2& p : ring) box.add(p);
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+std::string part_name(const Drawing& drawing, std::int32_t id) {
+  const auto it = std::ranges::find(drawing.parts, id, &DrawingPart::id);
+  return it == drawing.parts.end() ? std::string() : it->name;
+}
+
+std::vector<ChangedFill> compare_fills(const Drawing& before, const Drawing& after,
+                                       double tolerance, const RunContext& context) {
+  Box2 box = painted_box(before);
+  const Box2 other = painted_box(after);
+  if (!other.empty()) box.add(other);
+  if (box.empty()) return {};
+  const Painted was(before), is(after);
+  std::map<std::tuple<std::string, std::string, std::string>, ChangedFill> found;
+  for (double y = box.min.y + kStep / 2; y < box.max.y; y += kStep) {
+    context.check();
+    for (double x = box.min.x + kStep / 2; x < box.max.x; x += kStep) {
+      const Vec2 p(x, y);
+      const Painted::Seen a = was.at(p), b = is.at(p);
+      if (a.color == b.color) continue;
+      if (!was.even(p, tolerance, a.color) || !is.even(p, tolerance, b.color)) continue;
+      const std::string part = b.color.empty() ? was.part(a.part) : is.part(b.part);
+      ChangedFill& fill = found[{part, a.color, b.color}];
+      if (fill.size == 0) fill = {part, a.color, b.color, 0, p};
+      fill.size += kStep * kStep;
+    }
+  }
+  std::vector<ChangedFill> out;
+  for (auto& [key, fill] : found) out.push_back(std::move(fill));
+  std::ranges::stable_sort(out, [](const ChangedFill& a, const ChangedFill& b) {
+    return std::tuple(a.part, -a.size) < std::tuple(b.part, -b.size);
+  });
+  return out;
+}
+
+FillPicture picture_of(const std::vector<ChangedFill>& fills, const Drawing& before,
+                       const Drawing& after) {
+  std::set<std::string> changed;
+  for (const ChangedFill& fill : fills) changed.insert(fill.part);
+  FillPicture out;
+  const auto add_borders = [&](const Area& area, bool known) {
+    for (const std::vector<Vec2>& ring : area.rings) {
+      Path path;
+      path.kind = LineClass::Frame;
+      if (known) path.source.part = area.part;
+      path.closed = true;
+      path.points = ring;
+      path.width = {kBorderWidth};
+      out.borders.push_back(std::move(path));
+    }
+  };
+  std::set<std::string> painted;
+  for (const Area& area : after.areas) {
+    const std::string part = part_name(after, area.part);
+    if (!paints(area) || !changed.contains(part)) continue;
+    painted.insert(part);
+    out.areas.push_back(area);
+    add_borders(area, true);
+  }
+  for (const Area& area : before.areas) {
+    const std::string part = part_name(before, area.part);
+    if (paints(area) && changed.contains(part) && !painted.contains(part)) {
+      add_borders(area, false);  // parts of the new drawing have these numbers
+    }
+  }
+  return out;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,121 @@
+#pragma once
+/// The areas of a drawing beside rays.
+
+#include <burin/base/box.h>
+#include <burin/base/run_context.h>
+#include <burin/base/vec.h>
+#include <burin/drawing/drawing.h>
+#include <burin/feature/isophotes.h>
+#include <burin/verify/areas_at.h>
+#include <burin/verify/referee.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace burin {
+
+/// What areas state of a place, or rays see there.
+struct AreaFacts {
+  /// -1: the bare sheet.
+  std::int32_t part = -1;
+  /// As in `Area`.
+  std::int32_t face = -1, tone = -1;
+};
+
+enum class AreaFinding : std::uint8_t { Holds, WrongPart, WrongFace, WrongTone };
+/// "holds", "wrong_part", "wrong_face", "wrong_tone".
+const char* to_string(AreaFinding finding);
+
+/// What a look at a place gave.
+struct AreaAnswer {
+  AreaFinding finding = AreaFinding::Holds;
+  AreaFacts stated, seen;
+  /// Of what is seen.
+  Vec3 model{0};
+};
+
+/// Areas of a view in the order of painting, and what they are to be true of.
+struct AreaRule {
+  std::span<const Area> areas;
+  /// One a part: where its tone has a step.
+  std::vector<Isophotes> tones{};
+  /// One a part: those that can be looked through, whose areas lie over the others; empty: none.
+  std::vector<bool> glass{};
+  /// Light (a cosine) by which a normal between facets may be off: another tessellation has others.
+  double facet_light = 0;
+  /// From the model to the light by which solid parts cast shadows, which have the step 0; nothing:
+  /// none do.
+  std::optional<Vec3> shadows{};
+};
+
+/// Who is asked for what is seen.
+struct AreaWitnesses {
+  /// Of the solid parts, and of all parts.
+  const Referee& solid;
+  const Referee& all;
+  /// For each part: of the solid ones and itself. Null where it has no surface; then its areas
+  /// hold.
+  std::function<const Referee*(std::int32_t part)> with = {};
+};
+
+/// Compares areas with rays at single places. Read by many threads.
+class AreaJudge {
+ public:
+  /// Both must outlive the judge, and so must what they refer to.
+  AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses);
+
+  /// What speaks against the areas at the very place (paper mm).
+  AreaAnswer at(Vec2 paper) const;
+  /// Whether a border of an area passes within 0.12 mm, so that the place may count to either side.
+  bool beside_border(Vec2 paper) const;
+  /// What speaks against the areas, wherever one looks within the radius of the referees, at a
+  /// place that lies beside no border. Cost: a ray where the areas are plainly right, else 25.
+  AreaAnswer test(Vec2 paper) const;
+
+ private:
+  /// What areas state of a place.
+  struct Claim {
+    AreaFacts solid;
+    std::vector<std::int32_t> glass;
+  };
+  Claim claim(Vec2 paper) const;
+  std::pair<std::int32_t, std::int32_t> tones_of(const Referee::Sheet& sheet) const;
+  std::pair<std::int32_t, std::int32_t> lit_tones_of(const Referee::Sheet& sheet) const;
+  AreaAnswer ask(const Claim& claim, Vec2 paper) const;
+  AreaAnswer ask_solid(const AreaFacts& stated, Vec2 paper) const;
+  AreaAnswer ask_glass(const Claim& claim, Vec2 paper) const;
+  bool is_glass(std::int32_t part) const;
+
+  const AreaRule& rule_;
+  const AreaWitnesses& witnesses_;
+  AreasAt areas_;
+};
+
+/// A patch where areas state what no ray sees.
+struct WrongArea {
+  AreaAnswer answer;
+  /// mm^2 of paper, and a place in it.
+  double size = 0;
+  Vec2 at{0};
+};
+
+struct AreaFindings {
+  /// mm^2 of paper that were tested.
+  double tested = 0;
+  std::vector<WrongArea> wrong;
+};
+
+/// Tests a box of the sheet (paper mm): a seeded random place in each square of 0.5 mm, of a larger
+/// one where these would be more than a million. Squares side by side with one kind of wrong places
+/// are one patch; 16 places in each say how much of it is wrong. Patches of 0.25 mm^2 and more are
+/// listed, the largest first. The same for any number of threads. Throws Cancelled. Cost: that of
+/// `AreaJudge::test`, and a search along a row of the sheet.
+AreaFindings wrong_areas(const AreaJudge& judge, const Box2& box, std::uint64_t seed,
+                         const RunContext& context);
+
+}  // namespace burin
