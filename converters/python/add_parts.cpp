@@ -6,6 +6,7 @@
 #include <burin/converters/implicit_reader.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/converters/values.h>
+#include <burin/drawing/color.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/implicit/volume_function.h>
 #include <burin/forms/mesh/mesh_form.h>
@@ -23,6 +24,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace burin::python {
 
@@ -160,12 +162,39 @@ PyBrep read_brep(const py::object& brep) {
   return read;
 }
 
-Part brep_part(const py::object& brep, const py::object& placement) {
+namespace {
+
+PaintedFaces painted(const BrepShape& shape, const std::string& color,
+                     std::vector<std::string> face_colors) {
+  if (face_colors.empty()) return {color, {}};
+  std::vector<double> areas;
+  run(py::none(), nullptr, [&](RunContext&) { areas = shape.face_areas(); });
+  if (areas.size() != face_colors.size()) {
+    throw UsageError(
+        fmt::format("argument face_colors takes one colour for each of {} faces, not {}",
+                    areas.size(), face_colors.size()));
+  }
+  for (std::string& one : face_colors) {
+    if (one.empty()) one = color;
+    if (!one.empty() && !rgb_of(one)) {
+      throw UsageError(fmt::format("argument face_colors takes colours #rrggbb, not '{}'", one));
+    }
+  }
+  return painted_faces(face_colors, areas);
+}
+
+}  // namespace
+
+Part brep_part(const py::object& brep, const py::object& placement, const std::string& color,
+               std::vector<std::string> face_colors) {
   const Placement place = affine(placement);
   const auto shape =
       py::isinstance<PyBrep>(brep) ? brep.cast<PyBrep>().shape : read_brep(brep).shape;
   Part part;
   part.form = shape->form(place);
+  PaintedFaces paint = painted(*shape, color, std::move(face_colors));
+  part.color = std::move(paint.color);
+  part.face_colors = std::move(paint.faces);
   return part;
 }
 

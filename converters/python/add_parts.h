@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin::python {
 
@@ -39,8 +40,10 @@ PolygonSoup soup_of(const py::object& vertices, const py::object& triangles);
 
 PyBrep read_brep(const py::object& brep);
 bool is_valid(const PyBrep& brep);
-/// `brep`: a PyBrep, or text.
-Part brep_part(const py::object& brep, const py::object& placement);
+/// `brep`: a PyBrep, or text. `face_colors`: of each face, "#rrggbb" or empty, which is `color`;
+/// none: all of it has `color`. Throws UsageError where there are more or fewer.
+Part brep_part(const py::object& brep, const py::object& placement, const std::string& color,
+               std::vector<std::string> face_colors);
 Part mesh_part(const py::object& vertices, const py::object& triangles, const py::object& texture,
                const std::string& name, Diagnostics& diagnostics);
 /// `samples` along the longest side of the bounds that stand for the function; 0 = the function

@@ -188,17 +188,21 @@ void add_scene(py::module_& module) {
           "add_brep",
           [](const Owner& self, const py::object& brep, const std::string& name,
              const py::object& placement, const std::string& color, const py::object& assembly,
-             const std::string& source) {
-            return append(self, brep_part(brep, placement), {name, color, assembly, source});
+             const std::string& source, std::vector<std::string> face_colors) {
+            Part part = brep_part(brep, placement, color, std::move(face_colors));
+            const std::string of_part = part.color;
+            return append(self, std::move(part), {name, of_part, assembly, source});
           },
           py::arg("brep"), py::arg("name") = "", py::kw_only(), py::arg("placement") = py::none(),
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
+          py::arg("face_colors") = py::tuple(),
           "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()), or a "
           "Brep. "
           "`placement` is a 4 x 4 affine matrix (row major, acts on columns): it may turn, mirror, "
           "stretch and shear, and not flatten. One part, "
           "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
-          "0.")
+          "0. `face_colors`: a colour for each face, where they have several; an empty one is "
+          "`color`, and the part then has the colour of most of its area.")
       .def(
           "add_mesh",
           [](const Owner& self, const py::object& vertices, const py::object& triangles,

@@ -89,6 +89,7 @@ class PartJob:
     triangles: Any = None
     placement: Optional[Tuple[float, ...]] = None  # where `brep` is: 16 numbers of a rigid motion, row by row
     color: str = ""
+    face_colors: Tuple[str, ...] = ()  # of each face of `brep`, where they differ
     assembly: List[str] = field(default_factory=list)
     definition: str = ""  # the name of what it is an instance of
     drawn: bool = True
@@ -155,7 +156,8 @@ class Job:
         digest = hashlib.sha256(repr((said, sorted(self.files.items()))).encode())
         blocks_of = {}
         for part in self.parts:
-            said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE]
+            said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE and f.name != "face_colors"]
+            said += [part.face_colors] if part.face_colors else []  # other drawings that are stored stay up to date
             digest.update(repr(said).encode())
             if part.brep is not None:
                 if id(part.brep) not in blocks_of:

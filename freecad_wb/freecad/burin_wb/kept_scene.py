@@ -54,13 +54,14 @@ class KeptScene:
             else:
                 if id(part.brep) not in shapes:
                     shapes[id(part.brep)] = self._burin.Brep(part.brep)
-                made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(), **common)
+                made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(),
+                                      face_colors=part.face_colors, **common)
             made.definition = part.definition
         return scene
 
     @staticmethod
     def _part_key(part):
-        said = part.name, part.source, part.color, tuple(part.assembly), part.definition, part.placement
+        said = part.name, part.source, part.color, part.face_colors, tuple(part.assembly), part.definition, part.placement
         if part.brep is not None:
             return (*said, digest_of(part.brep))
         digest = hashlib.sha256(part.vertices.tobytes())

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 from support import Case
 
-from freecad.burin_wb.features.colors import appearance
+from freecad.burin_wb.features.colors import appearance, colors_of
 
 
 def material(*color):
@@ -15,13 +15,21 @@ class Colors(Case):
     def test_the_appearance_of_freecad_1(self):
         red, blue = material(1.0, 0.0, 0.0, 1.0), material(0.0, 0.0, 1.0, 1.0)
         view = SimpleNamespace(ShapeAppearance=(red,), ShapeColor=(0.0, 1.0, 0.0, 0.0))
-        self.assertEqual(appearance(view), "#ff0000")
+        self.assertEqual(appearance(view), ("#ff0000",))
         view.ShapeAppearance = (blue, blue, blue)
-        self.assertEqual(appearance(view), "#0000ff")
+        self.assertEqual(appearance(view), ("#0000ff",) * 3)
         view.ShapeAppearance = (blue, red)
-        self.assertEqual(appearance(view), "")
+        self.assertEqual(appearance(view), ("#0000ff", "#ff0000"))
 
     def test_the_colours_of_freecad_before(self):
-        self.assertEqual(appearance(SimpleNamespace(ShapeColor=(0.0, 1.0, 0.0, 0.0))), "#00ff00")
-        self.assertEqual(appearance(SimpleNamespace(ShapeColor=(0.0, 1.0, 0.0), DiffuseColor=[(1.0, 0.0, 0.0)])), "#ff0000")
-        self.assertEqual(appearance(SimpleNamespace()), "")
+        self.assertEqual(appearance(SimpleNamespace(ShapeColor=(0.0, 1.0, 0.0, 0.0))), ("#00ff00",))
+        self.assertEqual(appearance(SimpleNamespace(ShapeColor=(0.0, 1.0, 0.0), DiffuseColor=[(1.0, 0.0, 0.0)])), ("#ff0000",))
+        self.assertEqual(appearance(SimpleNamespace()), ())
+
+    def test_faces_have_several(self):
+        gold, green = (1.0, 0.84, 0.0, 0.0), (0.0, 0.5, 0.0, 0.0)
+        board = SimpleNamespace(ViewObject=SimpleNamespace(DiffuseColor=[green, gold]), FullName="a#Board",
+                                isDerivedFrom=lambda kind: False)
+        self.assertEqual(colors_of(board, "", board), ("", ("#008000", "#ffd600")))
+        board.ViewObject.DiffuseColor = [gold, gold]
+        self.assertEqual(colors_of(board, "", board), ("#ffd600", ()))

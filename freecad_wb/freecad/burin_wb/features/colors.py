@@ -1,19 +1,22 @@
 """Colours of parts as the 3-D view shows them. Only a GUI has them."""
 
 
-def color_of(top, sub, leaf):
+def colors_of(top, sub, leaf):
     """'#rrggbb' of the object at `sub` ('Inner.Link.') below `top`: that of the outermost link that has a colour of its
-    own, else of the shape `leaf` itself; empty where its faces have several."""
+    own, else of the shape `leaf` itself; empty where its faces have several. With it those of the faces in turn, where
+    they have several."""
     for link, element in _links(top, sub):
         color = _override(getattr(link, "ViewObject", None), element)
         if color:
-            return color
+            return color, ()
     obj = top.getSubObject(sub, retType=1) if sub else top
     for candidate in (obj, leaf):
         view = getattr(candidate, "ViewObject", None)
         if view is not None:
-            return appearance(view)
-    return ""
+            colors = appearance(view)
+            alike = len(set(colors)) == 1
+            return (colors[0], ()) if alike else ("", colors)
+    return "", ()
 
 
 def _links(top, sub):
@@ -43,14 +46,13 @@ def _override(view, element):
 
 
 def appearance(view):
-    """The one colour of a view provider, of FreeCAD 1.x (ShapeAppearance) or before."""
+    """The colours of a view provider, of FreeCAD 1.x (ShapeAppearance) or before: one, or one a face."""
     materials = getattr(view, "ShapeAppearance", None)
     if materials:
         colors = [m.DiffuseColor for m in materials]
     else:
         colors = getattr(view, "DiffuseColor", None) or [getattr(view, "ShapeColor", None)]
-    colors = {_hex(c) for c in colors if c}
-    return colors.pop() if len(colors) == 1 else ""
+    return tuple(_hex(c) for c in colors if c)
 
 
 def _hex(color):

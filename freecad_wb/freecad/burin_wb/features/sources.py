@@ -8,7 +8,7 @@ from collections import namedtuple
 import Part
 
 from ..job import PartJob
-from .colors import color_of
+from .colors import colors_of
 from .looks import FLAGS, words_of
 from .shapes import shapes
 from .shown import is_shown
@@ -186,8 +186,8 @@ def _definition(leaf):
 
 
 def _piece(top, sub, obj, leaf, path):
-    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color_of(top, sub, leaf),
-                   definition=_definition(leaf))
+    color, face_colors = colors_of(top, sub, leaf)
+    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color, definition=_definition(leaf))
     if leaf.isDerivedFrom("Mesh::Feature"):
         if not leaf.Mesh.CountFacets:
             raise Left("is an empty mesh; choose another one")
@@ -200,6 +200,8 @@ def _piece(top, sub, obj, leaf, path):
         raise Left("has no shape; recompute it, or choose an object with a solid, shell or face")
     if not shape.Faces:
         raise Left("has no faces (a sketch or wire); choose a solid, shell or face")
+    if len(face_colors) == len(shape.Faces):
+        part.face_colors = face_colors
     return Piece(part, shape, leaf, top, sub)
 
 
