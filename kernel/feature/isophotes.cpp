@@ -181,10 +181,11 @@ std::vector<Curve3> trace_isophotes(const ProxyMesh& proxy, std::int32_t part,
   std::vector<Curve3> out;
   if (isophotes.levels.empty() || proxy.mesh.triangles.empty()) return out;
   Isophote zeros(proxy, camera, options);
-  for (const bool back : {false, true}) {
-    if (back && !any_open) continue;
-    if (options.border) zeros.leave_far_side(facing, back);
-    for (const double level : isophotes.levels) {
+  if (options.border) zeros.leave_far_side(facing, false);
+  for (const double level : isophotes.levels) {
+    for (const bool back : {false, true}) {
+      if (back && !any_open) continue;
+      if (options.border && any_open) zeros.leave_far_side(facing, back);
       zeros.look(light, level, back);
       trace_zeros(zeros, true, context, [&](ZeroLine&& line) {
         if (back && proxy.closed(line.first_face)) return;

@@ -76,10 +76,11 @@ class Tracer {
     for (std::uint32_t at = f;;) {
       mark(at);
       const HalfEdge out = exit_of(zeros_, at);
-      share = 1 - step(entry, share, out, line);
+      const double beyond_share = step(entry, share, out, line);
       const HalfEdge in = beyond(zeros_, out);
       if (in == kNoHalfEdge) return false;
       at = face_of(in);
+      share = same_wedges(out, in) ? beyond_share : zeros_.crossing(in).share;
       entry = in;
       if (at == f) return true;
       // At a tip both sides of an edge may have wedges of their own, and lines may run into
@@ -88,14 +89,21 @@ class Tracer {
     }
   }
 
-  /// The way out of a triangle that the line came into at a share of `entry`; the share of `exit`.
+  /// Whether both triangles at an edge have the same normals along it: tips may have two.
+  bool same_wedges(HalfEdge a, HalfEdge b) const {
+    return zeros_.origin_wedge(a) == zeros_.target_wedge(b) &&
+           zeros_.target_wedge(a) == zeros_.origin_wedge(b);
+  }
+
+  /// The way out of a triangle that the line came into at a share of `entry`; the share beyond
+  /// `exit`.
   double step(HalfEdge entry, double share, HalfEdge exit, ZeroLine& line) {
     const ZeroCrossing zero = zeros_.crossing(exit);
-    if (zero.position == line.points.back()) return zero.share;
+    if (zero.position == line.points.back()) return zero.share_beyond;
     line.faces.push_back(static_cast<std::int32_t>(face_of(exit)));
     if (with_chords_) line.chords.push_back({bary_on(entry, share), bary_on(exit, zero.share)});
     add(zero, exit, line);
-    return zero.share;
+    return zero.share_beyond;
   }
   void add(const ZeroCrossing& zero, HalfEdge h, ZeroLine& line) {
     line.points.push_back(zero.position);

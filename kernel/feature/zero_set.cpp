@@ -43,6 +43,7 @@ ZeroCrossing ZeroSet::crossing(HalfEdge h) const {
     out.position = on_edge(h, t);
   }
   out.share = swapped ? 1 - t : t;
+  out.share_beyond = swapped ? t : 1 - t;
   return out;
 }
 

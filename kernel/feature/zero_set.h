@@ -16,6 +16,8 @@ struct ZeroCrossing {
   Vec3 position{0};
   /// Share of the edge from the half-edge's own origin, in [0,1].
   double share = 0;
+  /// The same from the other end, bit for bit what the half-edge beyond has.
+  double share_beyond = 1;
 };
 
 /// g at every wedge of one part. Where it is positive is its front side; zero is none.
