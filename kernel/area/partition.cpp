@@ -90,7 +90,9 @@ bool clean(LabelledMesh& labelled, const PartitionOptions& options) {
     const std::uint32_t piece = beside[i].piece;
     const Size& size = sizes[piece];
     const bool narrow = size.width() < options.least_width;
-    const bool speck = width_as_rectangle(size.area, size.border) < options.least_tone_width;
+    const double least = options.least_tone_width;
+    const bool speck =
+        size.area < 4 * least * least && width_as_rectangle(size.area, size.border) < least;
     double longest = 0;
     while (i < beside.size() && beside[i].piece == piece) {
       const std::uint32_t other = beside[i].other;

@@ -29,7 +29,7 @@ struct RegionOptions {
   std::vector<std::shared_ptr<const FaceColors>> colors{};
   /// Whether faces of the input are told apart.
   bool faces = false;
-  /// Paper mm: narrower steps of tone go to the step beside them.
+  /// Paper mm: specks of tone narrower than this go to the step beside them.
   double pen = 0;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.
   FeatureOptions found{};

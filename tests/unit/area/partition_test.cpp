@@ -147,10 +147,10 @@ TEST(Partition, SpecksOfToneGoToTheStepBesideThemAndPartsStay) {
   EXPECT_EQ(part(lines, label_at).regions.size(), 6u);
   const Partition p = part(lines, label_at, {.least_tone_width = 0.25});
   expect_sound(p);
-  ASSERT_EQ(p.regions.size(), 4u);
+  ASSERT_EQ(p.regions.size(), 5u) << "band and strip stay";
   for (const AreaRegion& region : p.regions) {
     if (region.label.part == 1 && region.label.tone == 0) {
-      EXPECT_NEAR(region.area, 60, 1e-9);
+      EXPECT_GT(region.area, 5) << "no speck";
     }
     if (region.label.part == 2) {
       EXPECT_NEAR(region.area, 0.04, 1e-9);
