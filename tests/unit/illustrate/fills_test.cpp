@@ -103,6 +103,7 @@ Scene painted_plate() {
   return scene;
 }
 
+/// What is inside an odd number of rings, by their signed areas.
 double size_of(const Area& area) {
   double sum = 0;
   for (const std::vector<Vec2>& ring : area.rings) {
@@ -111,7 +112,7 @@ double size_of(const Area& area) {
       sum += 0.5 * (a.x * b.y - a.y * b.x);
     }
   }
-  return sum;
+  return std::abs(sum);
 }
 
 std::map<std::string, double> sizes_of_colors(const Drawing& drawing) {
@@ -245,18 +246,6 @@ double hatched(const Drawing& drawing) {
     for (const Path& path : layer.paths) sum += glm::distance(path.points[0], path.points[1]);
   }
   return sum;
-}
-
-/// What is inside an odd number of rings, by their signed areas.
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - b.x * a.y);
-    }
-  }
-  return std::abs(sum);
 }
 
 TEST(Fills, AreHatchedInTheTonesThatAreAskedFor) {
