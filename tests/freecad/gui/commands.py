@@ -244,7 +244,7 @@ class New(support.Case):
         search.setType(coin.SoTexture2.getClassTypeId())
         search.apply(proxy._paper)
         self.assertIsNotNone(search.getPath(), "the sheet is empty")
-        self.assertEqual(max(proxy._painted.size), 2048)
+        self.assertEqual(max(proxy._painted.size), 1024)
         sheet = grey(support.picture("on-paper"))
         obj.ViewObject.Plane = "Behind the model"
         obj.ViewObject.Paper = False
@@ -674,7 +674,9 @@ class Sources(support.Case):
     def test_a_click_on_a_line_selects_its_edge(self):
         from freecad.burin_wb.commands.select import Picker
         sheet = sheet_of(self.obj)
+        self.obj.ViewObject.Plane = "Behind the model"
         picker = Picker(self.obj, self.view)
+        self.assertFalse(self.obj.ViewObject.Paper, "paper hides what is selected")
         lift = self.obj.ViewObject.Proxy.lift(sheet)
         self.assertGreater(lift, 0, "the ink is behind the model while one clicks on it")
         for _, path in sheet.paths():
@@ -698,6 +700,7 @@ class Sources(support.Case):
         support.picture("picking")
         picker.stop()
         self.assertLess(self.obj.ViewObject.Proxy.lift(sheet), 0)
+        self.assertTrue(self.obj.ViewObject.Paper)
 
     def test_select_source_by_mouse_and_escape(self):
         from freecad.burin_wb.commands import select

@@ -195,8 +195,6 @@ class Panel:
             return
         self.over = True
         self.closing()
-        if self.alive():
-            self.obj.ViewObject.Proxy.step_aside(False)
         self.preview.close_large()
         self._escape.stop()
         self._watch.stop()
@@ -206,6 +204,10 @@ class Panel:
                 signal.disconnect(slot)
             except RuntimeError:
                 pass
+        try:
+            self.obj.ViewObject.Proxy.step_aside(False)
+        except (AttributeError, NameError, ReferenceError, RuntimeError):  # the illustration or its document is gone
+            pass
 
     def getStandardButtons(self):
         return number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)

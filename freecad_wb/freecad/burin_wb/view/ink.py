@@ -36,8 +36,12 @@ CAPITALS = 0.7
 # top of what is shown of it, from 0 to 1.
 Painted = collections.namedtuple("Painted", "size rgb corners")
 
-# Pixels of the longer side of a painted sheet: any graphics card takes them.
-PIXELS = 2048
+# Pixels of the longer side of a painted sheet. Twice as many take the GUI's thread 0.2 s where no graphics card helps.
+PIXELS = 1024
+
+# Pixels of the screen that a drawing takes from which its lines are drawn over the painted sheet: they are wider than a
+# pixel there, and the sheet is coarse.
+LARGE = 2 * PIXELS * PIXELS
 
 
 def read(path):
@@ -143,6 +147,15 @@ def lines_node(pen, extra=0.0):
     part.addChild(coordinates)
     part.addChild(lines)
     return part
+
+
+def when_large(node):
+    """A node only while it is seen large."""
+    level = coin.SoLevelOfDetail()
+    level.screenArea.setValues(0, 1, [LARGE])
+    level.addChild(node)
+    level.addChild(coin.SoSeparator())
+    return level
 
 
 def texts_node(view_place, texts):

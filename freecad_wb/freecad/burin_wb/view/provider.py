@@ -33,6 +33,7 @@ class IllustrationView:
         self._root, sheet, self._paper, self._ink, self._lit = (coin.SoSeparator() for _ in range(5))
         self._pose, self._lines = coin.SoGroup(), coin.SoSwitch()
         self._lines.addChild(self._ink)
+        self._lines.addChild(ink.when_large(self._ink))
         for parent, node in ((self._root, sheet), (sheet, self._pose), (sheet, self._paper), (sheet, self._lines),
                              (self._root, self._lit)):
             parent.addChild(node)
@@ -129,7 +130,7 @@ class IllustrationView:
         paper = getattr(self.View, "Paper", False) and not self._aside
         if paper:
             self._paper.addChild(ink.paper_node(self._stand, (self.Object.Width.Value, self.Object.Height.Value), self._painted))
-        self._lines.whichChild = coin.SO_SWITCH_NONE if paper and self._painted is not None else coin.SO_SWITCH_ALL
+        self._lines.whichChild = 1 if paper and self._painted is not None else 0
 
     def light(self, sheet, paths):
         """Shows some lines in colour, until the selection changes."""
