@@ -103,7 +103,7 @@ std::vector<const CadColor*> LabelColors::face_colors(const CadBody& body) const
 
 CadColor LabelColors::of(const CadBody& body) const {
   const CadColor* own = find(body.shape);
-  const CadColor color = own ? *own : whole_;
+  CadColor color = own ? *own : whole_;
   if (colors_.empty()) return color;
   const std::vector<const CadColor*> faces = face_colors(body);
   const auto as_first = [&](const CadColor* one) { return one && *one == *faces.front(); };

@@ -70,23 +70,26 @@ std::string EpsAreas::color(std::size_t area, const std::vector<std::size_t>& th
   return to_text(color);
 }
 
-void EpsAreas::append(Buffer& out, std::size_t i, const std::vector<std::size_t>& through) const {
-  const Area& area = *areas_[i];
-  append_rings(out, area);
-  if (area.opacity >= 1) {
+void EpsAreas::append(Buffer& out, std::size_t area,
+                      const std::vector<std::size_t>& through) const {
+  const Area& one = *areas_[area];
+  append_rings(out, one);
+  if (one.opacity >= 1) {
     fmt::format_to(fmt::appender(out), "gsave eofill grestore {} w s\n",
                    std::llround(kTrap * kUnitsPerMm));
     return;
   }
-  if (beneath_[i].empty() || through.size() >= kMostThrough) return burin::append(out, "eofill\n");
+  if (beneath_[area].empty() || through.size() >= kMostThrough)
+    return burin::append(out, "eofill\n");
   burin::append(out, "gsave gsave eofill grestore eoclip newpath\n");
-  std::vector<std::size_t> more{i};
+  std::vector<std::size_t> more{area};
   more.insert(more.end(), through.begin(), through.end());
-  for (const std::size_t k : beneath_[i]) {
+  for (const std::size_t k : beneath_[area]) {
     burin::append(out, eps_color(color(k, more)) + "\n");
     append(out, k, more);
   }
-  burin::append(out, "grestore\n");
+  // The path comes back, too.
+  burin::append(out, "grestore newpath\n");
 }
 
 }  // namespace burin

@@ -40,7 +40,8 @@ void lay_legend(const LegendPlan& plan, const Annotations& annotations, const Ca
   Layer layer{"legend", {}};
   for (std::size_t i = 0; i < annotations.legend.size(); ++i) {
     const LegendRow& row = annotations.legend[i];
-    const double left = plan.box.min.x + static_cast<double>(i / plan.rows) * plan.block;
+    const std::size_t column = i / plan.rows;
+    const double left = plan.box.min.x + static_cast<double>(column) * plan.block;
     const double middle = plan.box.max.y - (static_cast<double>(i % plan.rows) + 0.5) * plan.row;
     const Vec2 low(left, middle - 0.5 * plan.square), high = low + plan.square;
     Path border = line(low, {high.x, low.y}, style.line);

@@ -194,7 +194,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
                          const Style& style, const PartStyles& part_styles,
                          const IllustrateOptions& options, RunContext& context) {
   Labels labels;
-  const auto& [occluders, to_light, camera] = shaded;
+  const auto& occluders = shaded.occluders;
+  const Vec3 to_light = shaded.to_light;
+  const Camera& camera = shaded.camera;
   const bool maps = options.annotations.has_value();
   const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
                        style.shadow.cast || style.shadow.ground;

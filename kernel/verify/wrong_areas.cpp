@@ -35,9 +35,8 @@ class Grid {
 
   /// A place in a square by its shares.
   Vec2 place(std::size_t i, Vec2 share) const {
-    return from_ +
-           cell_ *
-               (Vec2(static_cast<double>(i % columns_), static_cast<double>(i / columns_)) + share);
+    const std::size_t column = i % columns_, row = i / columns_;
+    return from_ + cell_ * (Vec2(static_cast<double>(column), static_cast<double>(row)) + share);
   }
   template <class F>
   void each_beside(std::size_t i, const F& each) const {
@@ -137,8 +136,8 @@ AreaFindings wrong_areas(const AreaJudge& judge, const Box2& box, std::uint64_t 
   Patches patches(judge, grid, found, context);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i] == AreaFinding::Holds || patches.seen(i, found[i])) continue;
-    WrongArea patch = patches.patch(i);
-    if (patch.size >= kSmallest) out.wrong.push_back(std::move(patch));
+    const WrongArea patch = patches.patch(i);
+    if (patch.size >= kSmallest) out.wrong.push_back(patch);
   }
   std::ranges::stable_sort(out.wrong, std::ranges::greater{}, &WrongArea::size);
   return out;

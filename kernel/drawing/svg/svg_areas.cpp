@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,17 +19,18 @@ constexpr std::string_view kCustom = "--";
 
 bool is_painted(const Area& area) { return !area.fill.empty() && area.opacity > 0; }
 
-/// The custom property of an area's colour.
-std::string property_of(const Area& area) {
+/// The custom property of an area's colour. `color`: as SvgAreaClasses has it.
+std::string property_of(const Area& area, std::size_t color) {
   if (area.part < 0) return fmt::format("{}shadow", kCustom);
   std::string name = fmt::format("{}part-{}", kCustom, area.part);
   if (area.tone >= 0) name += fmt::format("-tone-{}", area.tone);
+  if (color > 0) name += fmt::format("-color-{}", color + 1);
   return name;
 }
 
 /// "part_0 tone_1" as ".part_0.tone_1".
-std::string selector_of(const Area& area) {
-  std::string selector = "." + svg_area_classes(area);
+std::string selector_of(const std::string& classes) {
+  std::string selector = "." + classes;
   for (char& c : selector) {
     if (c == ' ') c = '.';
   }
@@ -37,11 +39,28 @@ std::string selector_of(const Area& area) {
 
 }  // namespace
 
-std::string svg_area_classes(const Area& area) {
+SvgAreaClasses::SvgAreaClasses(const Drawing& drawing) {
+  for (const Area& area : drawing.areas) {
+    if (!is_painted(area)) continue;
+    auto& known = colors_[{area.part, area.tone}];
+    if (std::ranges::find(known, area.fill) == known.end()) known.push_back(area.fill);
+  }
+}
+
+std::size_t SvgAreaClasses::color(const Area& area) const {
+  const auto found = colors_.find({area.part, area.tone});
+  if (found == colors_.end()) return 0;
+  const auto& known = found->second;
+  const auto it = std::ranges::find(known, area.fill);
+  return it == known.end() ? 0 : static_cast<std::size_t>(it - known.begin());
+}
+
+std::string SvgAreaClasses::of(const Area& area) const {
   if (area.fill.empty()) return {};
   if (area.part < 0) return "shadow";
   std::string name = fmt::format("part_{}", area.part);
   if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
+  if (const std::size_t k = color(area); k > 0) name += fmt::format(" color_{}", k + 1);
   return name;
 }
 
@@ -75,24 +94,27 @@ void append_area_rings(Buffer& out, const Area& area, double paper_height) {
   }
 }
 
-std::string svg_area_rules(const Drawing& drawing, std::string_view id, std::string_view ink) {
-  // One of each class, those without a tone first: none comes before another by its selector.
-  std::map<std::pair<std::int32_t, std::int32_t>, const Area*> classes;
+std::string svg_area_rules(const Drawing& drawing, const SvgAreaClasses& classes,
+                           std::string_view id, std::string_view ink) {
+  // One of each class, those without a tone or a further colour first: none comes before another by
+  // its selector.
+  std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, const Area*> rules;
   std::map<std::int32_t, std::int32_t> lightest;
   for (const Area& area : drawing.areas) {
     if (!is_painted(area)) continue;
-    classes.try_emplace({area.tone, area.part}, &area);
+    rules.try_emplace({classes.color(area), area.tone, area.part}, &area);
     auto& tone = lightest.try_emplace(area.part, area.tone).first->second;
     tone = std::max(tone, area.tone);
   }
-  if (classes.empty()) return {};
+  if (rules.empty()) return {};
   Buffer out;
-  for (const auto& [key, area] : classes) {
-    const bool of_part = area->tone >= 0 && area->tone == lightest[area->part];
+  for (const auto& [key, area] : rules) {
+    const std::size_t number = std::get<0>(key);
+    const bool of_part = number == 0 && area->tone >= 0 && area->tone == lightest[area->part];
     const std::string plain =
         of_part ? fmt::format("var({}part-{},{})", kCustom, area->part, area->fill) : area->fill;
-    const std::string color = fmt::format("var({},{})", property_of(*area), plain);
-    append(out, fmt::format(":where(#{} {}){{fill:{}", id, selector_of(*area), color));
+    const std::string color = fmt::format("var({},{})", property_of(*area, number), plain);
+    append(out, fmt::format(":where(#{} {}){{fill:{}", id, selector_of(classes.of(*area)), color));
     if (area->opacity >= 1) append(out, fmt::format(";stroke:{}", color));
     append(out, "}\n");
   }

@@ -156,13 +156,14 @@ class Items {
     if (drawing_.areas.empty()) return;
     Buffer out;
     const std::string id = ids.make("areas");
-    append(out, svg_area_rules(drawing_, id, svg_ink(drawing_.ink_color)));
+    const SvgAreaClasses classes(drawing_);
+    append(out, svg_area_rules(drawing_, classes, id, svg_ink(drawing_.ink_color)));
     append(out, fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"none\" fill-rule=\"evenodd\" "
                             "pointer-events=\"all\">\n",
                             id));
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
-      append_part_class(out, area.part, "area", svg_area_classes(area));
+      append_part_class(out, area.part, "area", classes.of(area));
       append_area_fill(out, area);
       append(out, " d=\"");
       append_area_rings(out, area, drawing_.paper_height);

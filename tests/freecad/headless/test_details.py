@@ -139,7 +139,7 @@ class Details(Case):
         places = lambda sheet: [sheet.place(point) for _, path in sheet.paths() if path["part"] >= 0 for point in path["points"]]  # noqa: E731
         for place in places(several):
             self.assertTrue(-0.01 <= place.x <= 60.01 and -4.01 <= place.z <= 20.01, place)
-        stand, pens, texts = read(obj.Drawing)
+        stand, pens, texts, painted = read(obj.Drawing)
         points = [point for pen in pens for point in pen.points.tolist() if abs(point[0] - 30) < 40]
         self.assertEqual(sum(len(pen.counts) for pen in pens), len(list(several.paths())))
         self.assertEqual(len(points), sum(len(pen.points) for pen in pens))

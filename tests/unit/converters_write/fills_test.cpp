@@ -95,7 +95,18 @@ TEST(FilledAreas, OfEpsAreEvenOddAndMixedWithWhatLiesBeneath) {
   ASSERT_NE(clip, std::string::npos);
   const std::size_t red = eps.find("0.5020 0.0000 0.5020 setrgbcolor\n20000 60000 m\n", clip);
   ASSERT_NE(red, std::string::npos) << eps;
-  EXPECT_NE(eps.find("grestore\n", red), std::string::npos);
+  EXPECT_NE(eps.find("grestore newpath\n", red), std::string::npos);
+}
+
+TEST(FilledAreas, OfEpsLeaveNoPathBehind) {
+  // A path of glass that stays is filled with what comes next.
+  Drawing drawing = filled(0.5);
+  drawing.areas.push_back({.part = 2, .fill = "#00ff00", .rings = {{{1, 1}, {5, 1}, {5, 5}}}});
+  const std::string eps = written(drawing, "eps");
+  const auto next = eps.find("0.0000 1.0000 0.0000 setrgbcolor");
+  ASSERT_NE(next, std::string::npos);
+  const auto restored = eps.rfind("grestore", next);
+  EXPECT_EQ(eps.substr(restored, 16), "grestore newpath") << eps;
 }
 
 TEST(FilledAreas, OfEpsThatLieBesideEachOtherArePaintedOnce) {

@@ -426,5 +426,29 @@ TEST(Svg, MergedFilesHoldTheColours) {
   EXPECT_EQ(attribute(doc.child("svg"), "data-ink"), "5.000 5.000 40.000 45.000");
 }
 
+TEST(Svg, FacesOfTheirOwnColourHaveAClassOfTheirOwn) {
+  Drawing drawing;
+  drawing.paper_width = drawing.paper_height = 100;
+  for (const char* fill : {"#ff0000", "#0000ff", "#ff0000"}) {
+    Area area;
+    area.part = 0;
+    area.fill = fill;
+    area.rings = {{{5, 5}, {40, 5}, {40, 45}}};
+    drawing.areas.push_back(area);
+  }
+  const std::string text = svg_text(drawing);
+  const auto paths = parsed(text).select_nodes("//path");
+  ASSERT_EQ(paths.size(), 3u);
+  const std::string first = attribute(paths[0].node(), "class"),
+                    second = attribute(paths[1].node(), "class");
+  EXPECT_EQ(attribute(paths[2].node(), "class"), first);
+  EXPECT_EQ(second, first + " color_2");
+  // Of rules without specificity the last one counts.
+  const auto rule = [&](const char* of) { return text.find(of); };
+  EXPECT_LT(rule(".part_0){fill:var(--part-0,#ff0000)"),
+            rule(".part_0.color_2){fill:var(--part-0-color-2,#0000ff)"));
+  EXPECT_NE(rule(".part_0.color_2)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace burin

@@ -37,14 +37,15 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(takes_text(key).empty());
     // Commands of a machine that has none of its own; colours that are those of the sheet.
-    const std::set<std::string> empty{"gcode.down", "gcode.up", "line.color", "hatch.color",
-                                      "shadow.color"};
+    const std::set<std::string> empty{"gcode.down",   "gcode.up", "line.color",      "hatch.color",
+                                      "shadow.color", "fill.ink", "fill.hatch_color"};
     const bool may_be_empty = empty.contains(key.name);
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 2u /*fill*/ + 3u /*shadow*/ +
-                             3u + 3u + 3u + 3u + 5u + 1u + 4u /*hpgl*/ + 13u /*gcode*/);
+  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
+                             3u + 3u + 3u + 3u + 5u + 1u + 1u /*callout.legend*/ + 4u /*hpgl*/ +
+                             13u /*gcode*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {

@@ -192,7 +192,8 @@ TEST(LineChanges, FlatColoursOfOneDrawingAreTheSame) {
   EXPECT_TRUE(compared(painted("#80a0c0"), painted("#80a0c0")).same());
   // Rings that begin elsewhere, one area in two, and what is painted over: it looks the same.
   Drawing other = painted("#80a0c0");
-  std::ranges::rotate(other.areas[0].rings[0], other.areas[0].rings[0].begin() + 2);
+  std::vector<Vec2>& ring = other.areas[0].rings[0];
+  std::rotate(ring.begin(), ring.begin() + 2, ring.end());
   other.areas.insert(other.areas.begin(),
                      Area{.part = 0, .fill = "#ff0000", .rings = {{{51, 51}, {52, 51}, {52, 52}}}});
   EXPECT_TRUE(compared(painted("#80a0c0"), other).same());

@@ -70,7 +70,6 @@ void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutO
 /// legend that has none ("parts_list.no_room", "legend.no_room") and of characters that the font
 /// has not ("text.no_glyph"). Throws Cancelled. Cost: 30 ms and 5 ms for 100 items.
 void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
-              const Annotations& annotations, const CalloutOptions& style,
-              const RunContext& context);
+              const Annotations& wanted, const CalloutOptions& style, const RunContext& context);
 
 }  // namespace burin
