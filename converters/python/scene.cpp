@@ -4,6 +4,7 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
+#include <burin/drawing/color.h>
 
 #include "add_parts.h"
 #include "arrays.h"
@@ -14,6 +15,7 @@
 #include "text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -25,9 +27,18 @@ namespace {
 
 using Owner = std::shared_ptr<PyScene>;
 
+/// "#rrggbb" of a colour or its name, or empty. Throws UsageError.
+std::string color_of(const std::string& text) {
+  std::string color = without_name(text);
+  if (color.empty() || rgb_of(color)) return color;
+  throw UsageError(
+      fmt::format("the color of a part is \"#rrggbb\", one of the names {}, or empty, not '{}'",
+                  fmt::join(color_names(), ", "), text));
+}
+
 PyPart append(const Owner& owner, Part part, const PartNames& names) {
   part.name = names.name;
-  part.color = names.color;
+  part.color = color_of(names.color);
   if (py::isinstance<py::str>(names.assembly)) {
     throw py::type_error("argument assembly takes a list of names");
   }
@@ -100,14 +111,28 @@ void add_part(py::module_& module) {
   of_package(part);
   property(part, "name", &Part::name, "Its name on the drawing.");
   property(part, "source", &Part::source, "The file it came from, as the user named it.");
-  property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
+  part.def_property(
+      "color", [](const PyPart& p) { return p.part().color; },
+      [](const PyPart& p, const std::string& value) {
+        p.part().color = color_of(value);
+        p.part().face_colors = nullptr;
+      },
+      "\"#rrggbb\", or empty where it has none. It may be set by a name such as \"orange\"; faces "
+      "with colours of their own then lose these.");
   property(part, "assembly", &Part::assembly,
            "Names from the top of an assembly down to what contains the part.");
   property(part, "definition", &Part::definition,
            "The name of what it is an instance of, by which parts lists call it; may be empty.");
-  property(part, "opacity", &Part::opacity,
-           "How much of what lies behind it the part covers: 1 all of it, 0 nothing. Below 1 it is "
-           "drawn as transparent.");
+  part.def_property(
+      "opacity", [](const PyPart& p) { return p.part().opacity; },
+      [](const PyPart& p, double value) {
+        if (!(value >= 0 && value <= 1)) {
+          throw UsageError(fmt::format("the opacity of a part is 0 to 1, not {}", value));
+        }
+        p.part().opacity = value;
+      },
+      "How much of what lies behind it the part covers: 1 all of it, 0 nothing. Below 1 it is "
+      "drawn as transparent.");
   property(part, "joined", &Part::joined,
            "Whether it is one thing with the part before it and differs by its look alone, such as "
            "what a module of OpenSCAD makes in a second colour: parts lists count them once, and "
@@ -189,7 +214,7 @@ void add_scene(py::module_& module) {
           [](const Owner& self, const py::object& brep, const std::string& name,
              const py::object& placement, const std::string& color, const py::object& assembly,
              const std::string& source, std::vector<std::string> face_colors) {
-            Part part = brep_part(brep, placement, color, std::move(face_colors));
+            Part part = brep_part(brep, placement, color_of(color), std::move(face_colors));
             const std::string of_part = part.color;
             return append(self, std::move(part), {name, of_part, assembly, source});
           },

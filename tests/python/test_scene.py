@@ -123,6 +123,32 @@ class Mistakes(unittest.TestCase):
                 scene.add_function(values, self.BOX, samples=16)
 
 
+class Colours(unittest.TestCase):
+    def test_are_judged_when_they_are_given(self):
+        scene = burin.Scene()
+        part = scene.add_mesh(*cube(), "lid", color="Orange")
+        self.assertEqual(part.color, "#f28e2b")
+        part.color = "#123456"
+        self.assertEqual(part.color, "#123456")
+        for wrong in ("zzz", "#fff", "#12345678"):
+            with self.assertRaisesRegex(burin.UsageError, "color of a part .* not '" + wrong):
+                part.color = wrong
+            with self.assertRaisesRegex(burin.UsageError, "not '" + wrong):
+                scene.add_mesh(*cube(), "lid", color=wrong)
+        with self.assertRaisesRegex(burin.UsageError, "opacity of a part is 0 to 1, not 7"):
+            part.opacity = 7
+        self.assertEqual((part.color, part.opacity, len(scene.parts)), ("#123456", 1.0, 1))
+
+    def test_of_a_part_are_those_of_its_faces_too(self):
+        scene = burin.Scene()
+        part = scene.add_brep(PLATE, face_colors=["#ff0000", "#0000ff"] * 3 + ["#ff0000"])
+        style = {**burin.style("flat")}
+        fills = lambda: {area["fill"] for area in burin.draw(scene, style=style).areas}  # noqa: E731
+        self.assertGreater(len(fills()), 1)
+        part.color = "#123456"
+        self.assertEqual(fills(), {"#123456"})
+
+
 class Joined(unittest.TestCase):
     def test_a_part_of_two_looks_is_counted_once(self):
         def scene_of(joined):
