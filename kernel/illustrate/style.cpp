@@ -545,10 +545,13 @@ std::optional<std::string> first_fault(const Style& style) {
   return options::first_fault(std::vector<OptionRow<Style>>(rows.begin(), rows.end()), style);
 }
 
-void check_color(const std::string& key, const std::string& color, bool may_be_empty) {
-  if (rgb_of(color) || (may_be_empty && color.empty())) return;
-  throw UsageError(fmt::format("style key '{}' takes a colour #rrggbb{}, not '{}'", key,
-                               may_be_empty ? " or nothing" : "", color));
+/// `nothing`: how the error names it that there may be none; empty: there must be a colour.
+void check_color(const std::string& key, const std::string& color,
+                 std::string_view nothing = " or nothing") {
+  if (rgb_of(color) || (!nothing.empty() && color.empty())) return;
+  throw UsageError(
+      fmt::format("style key '{}' takes a colour #rrggbb, a name such as {}{}, not '{}'", key,
+                  color_names().front(), nothing, color));
 }
 
 }  // namespace
@@ -559,13 +562,19 @@ void check_style(const Style& style) {
   }
   const auto fault = first_fault(style);
   if (fault) throw UsageError("style key " + *fault);
-  check_color("sheet.ink", style.sheet.ink, false);
-  check_color("sheet.paper", style.sheet.paper, false);
-  check_color("line.color", style.line.color, true);
-  check_color("shadow.color", style.shadow.color, true);
+  check_color("sheet.ink", style.sheet.ink, "");
+  check_color("sheet.paper", style.sheet.paper, "");
+  check_color("line.color", style.line.color);
+  check_color("shadow.color", style.shadow.color);
   if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
     throw UsageError(fmt::format(
-        "style key 'fill.color' takes a colour #rrggbb, part or none, not '{}'", style.fill.color));
+        "style key 'fill.color' takes a colour #rrggbb, a name such as {}, part or none, not '{}'",
+        color_names().front(), style.fill.color));
+  }
+  constexpr std::size_t kLongestInk = 127;  // bytes of a name in PDF
+  if (style.fill.ink.size() > kLongestInk) {
+    throw UsageError(fmt::format("style key 'fill.ink' takes a name of {} bytes at most, not {}",
+                                 kLongestInk, style.fill.ink.size()));
   }
   if (style.fill.ink == "All" || style.fill.ink == "None") {
     throw UsageError(
@@ -574,12 +583,12 @@ void check_style(const Style& style) {
                     style.fill.ink));
   }
   if (style.fill.hatch.color != "fill") {
-    check_color("fill.hatch_color", style.fill.hatch.color, true);
+    check_color("fill.hatch_color", style.fill.hatch.color, ", fill or nothing");
   }
   check_texts(style.hpgl, "hpgl.");
   check_texts(style.gcode, "gcode.");
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
-    check_color(detail::kind_group(number) + "color", hatch_of(style, number).color, true);
+    check_color(detail::kind_group(number) + "color", hatch_of(style, number).color);
     check_texts(hatch_of(style, number), detail::kind_group(number));
     field::check_texts(hatch_of(style, number).field, detail::kind_group(number));
   }

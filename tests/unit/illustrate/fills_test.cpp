@@ -178,7 +178,8 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
     FAIL();
   } catch (const std::exception& e) {
     EXPECT_STREQ(e.what(),
-                 "style key 'fill.color' takes a colour #rrggbb, part or none, not 'orangge'");
+                 "style key 'fill.color' takes a colour #rrggbb, a name such as orange, part or "
+                 "none, not 'orangge'");
   }
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "1"));
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));
@@ -215,6 +216,8 @@ TEST(Fills, OfOneInkInTwoColoursAreTold) {
   EXPECT_TRUE(std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
     return d.code == "fill.ink_colors" && d.count == 3;
   }));
+  style.fill.ink = std::string(128, 'x');
+  EXPECT_ANY_THROW(check_style(style)) << "a name in PDF has 127 bytes";
   style.fill.ink = "All";
   EXPECT_ANY_THROW(check_style(style));
 }

@@ -337,7 +337,7 @@ TEST(Style, ColorsMayBeThoseOfTheSheet) {
     EXPECT_NO_THROW(check_style(s)) << "colours have names";
     set_style_key(s, key, "reddish");
     EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
-                         "takes a colour #rrggbb or nothing, not 'reddish'"))
+                         "takes a colour #rrggbb, a name such as orange or nothing, not 'reddish'"))
         << key;
   }
 }
