@@ -179,10 +179,12 @@ bool has_varying_width(const Path& path) {
   return *high - *low > kVisibleWidthChange;
 }
 
+bool is_painted(const Area& area) { return !area.fill.empty() && area.opacity > 0; }
+
 std::vector<const Area*> painted_areas(const Drawing& drawing) {
   std::vector<const Area*> areas;
   for (const Area& area : drawing.areas) {
-    if (!area.fill.empty() && area.opacity > 0 && !area.rings.empty()) areas.push_back(&area);
+    if (is_painted(area) && !area.rings.empty()) areas.push_back(&area);
   }
   return areas;
 }

@@ -2,6 +2,7 @@
 
 #include <burin/base/box.h>
 #include <burin/drawing/color.h>
+#include <burin/drawing/ink.h>
 #include <burin/verify/areas_at.h>
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace {
 /// Paper mm between places that are compared.
 constexpr double kStep = 0.5;
 constexpr double kBorderWidth = 0.35;
-
-bool paints(const Area& area) { return !area.fill.empty() && area.opacity > 0; }
 
 /// What a drawing paints.
 class Painted {
@@ -38,7 +37,7 @@ class Painted {
     Rgb color = paper_;
     for (const std::size_t k : areas_.at(p)) {
       const Area& area = drawing_.areas[k];
-      const auto fill = paints(area) ? rgb_of(area.fill) : std::nullopt;
+      const auto fill = is_painted(area) ? rgb_of(area.fill) : std::nullopt;
       if (!fill) continue;
       color = over(*fill, area.opacity, color);
       seen = {to_text(color), area.part};
@@ -63,7 +62,7 @@ class Painted {
 Box2 painted_box(const Drawing& drawing) {
   Box2 box;
   for (const Area& area : drawing.areas) {
-    if (!paints(area)) continue;
+    if (!is_painted(area)) continue;
     for (const std::vector<Vec2>& ring : area.rings) {
       for (const Vec2& p : ring) box.add(p);
     }
@@ -126,14 +125,14 @@ FillPicture picture_of(const std::vector<ChangedFill>& fills, const Drawing& bef
   std::set<std::string> painted;
   for (const Area& area : after.areas) {
     const std::string part = part_name(after, area.part);
-    if (!paints(area) || !changed.contains(part)) continue;
+    if (!is_painted(area) || !changed.contains(part)) continue;
     painted.insert(part);
     out.areas.push_back(area);
     add_borders(area, true);
   }
   for (const Area& area : before.areas) {
     const std::string part = part_name(before, area.part);
-    if (paints(area) && changed.contains(part) && !painted.contains(part)) {
+    if (is_painted(area) && changed.contains(part) && !painted.contains(part)) {
       add_borders(area, false);  // parts of the new drawing have these numbers
     }
   }

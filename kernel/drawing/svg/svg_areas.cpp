@@ -17,8 +17,6 @@ namespace {
 /// What the names of custom properties begin with.
 constexpr std::string_view kCustom = "--";
 
-bool is_painted(const Area& area) { return !area.fill.empty() && area.opacity > 0; }
-
 /// The custom property of an area's colour. `color`: as SvgAreaClasses has it.
 std::string property_of(const Area& area, std::size_t color) {
   if (area.part < 0) return fmt::format("{}shadow", kCustom);

@@ -1,6 +1,7 @@
 #include <burin/base/box.h>
 #include <burin/base/parallel.h>
 #include <burin/drawing/font.h>
+#include <burin/drawing/ink.h>
 #include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
@@ -167,9 +168,8 @@ std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers)
       }
     }
   }
-  for (const Area& area : drawing.areas) {
-    if (area.fill.empty()) continue;
-    for (const std::vector<Vec2>& ring : area.rings) {
+  for (const Area* area : painted_areas(drawing)) {
+    for (const std::vector<Vec2>& ring : area->rings) {
       for (const Vec2 p : ring) box.add(p);
     }
   }
@@ -178,20 +178,22 @@ std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers)
                      drawing.paper_height - box.max.y, box.max.x, drawing.paper_height - box.min.y);
 }
 
-/// Areas that have a colour, below all lines.
-std::string painted_areas(const Drawing& drawing, SvgIds& ids) {
+/// Areas of colour, below all lines.
+std::string areas_group(const Drawing& drawing, SvgIds& ids) {
+  const std::vector<const Area*> areas = painted_areas(drawing);
+  if (areas.empty()) return {};
   Buffer out;
-  for (const Area& area : drawing.areas) {
-    if (area.fill.empty()) continue;
+  append(out,
+         fmt::format("<g id=\"{}\" stroke=\"none\" fill-rule=\"evenodd\">\n", ids.make("areas")));
+  for (const Area* area : areas) {
     append(out, "<path");
-    append_area_fill(out, area);
+    append_area_fill(out, *area);
     append(out, " d=\"");
-    append_area_rings(out, area, drawing.paper_height);
+    append_area_rings(out, *area, drawing.paper_height);
     append(out, "\"/>\n");
   }
-  if (out.size() == 0) return {};
-  return fmt::format("<g id=\"{}\" stroke=\"none\" fill-rule=\"evenodd\">\n", ids.make("areas")) +
-         fmt::to_string(out) + "</g>\n";
+  append(out, "</g>\n");
+  return fmt::to_string(out);
 }
 
 }  // namespace
@@ -202,7 +204,7 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   SvgIds ids(options.id_prefix);
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::string before = svg_head(drawing, ink_box(drawing, layers));
-  before += painted_areas(drawing, ids);
+  before += areas_group(drawing, ids);
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     const std::string ink = svg_ink(ink_color(layer, drawing));

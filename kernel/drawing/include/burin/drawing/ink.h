@@ -59,7 +59,10 @@ struct Ink {
 /// paper shows between it and the next one. Areas that are looked through are not.
 inline constexpr double kTrap = 0.1;
 
-/// The areas that have a colour, in the order of painting; they lie below all layers. Points into
+/// Whether an area has a colour that is seen.
+bool is_painted(const Area& area);
+
+/// The areas that are painted, in the order of painting; they lie below all layers. Points into
 /// `drawing`.
 std::vector<const Area*> painted_areas(const Drawing& drawing);
 
