@@ -3,6 +3,8 @@
 
 #include <burin/area/partition.h>
 
+#include "ring_size.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,16 +17,6 @@
 #include <vector>
 
 namespace burin::test {
-
-/// mm^2: negative of a ring that runs clockwise.
-inline double signed_size(std::span<const Vec2> ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += 0.5 * (a.x * b.y - a.y * b.x);
-  }
-  return sum;
-}
 
 /// How often rings wind round a place, counterclockwise.
 inline int winding(std::span<const std::vector<Vec2>> rings, Vec2 p) {
@@ -94,7 +86,7 @@ inline void expect_sound(const Partition& p, const Box2& sheet) {
         sides.insert({ring.corners[i], ring.corners[(i + 1) % ring.corners.size()],
                       static_cast<std::int64_t>(r), ring.beyond[i]});
       }
-      const double turned = signed_size(points);
+      const double turned = signed_area(points);
       EXPECT_EQ(turned > 0, k == 0) << r << ' ' << k;
       area += turned;
       EXPECT_TRUE(self_crossings(points).empty()) << r << ' ' << k;

@@ -125,4 +125,31 @@ inline std::filesystem::path data(const std::string& relative) {
 }
 #endif
 
+/// What is seen of `slotted` from the front: 30 mm wide, 20 high, a slot of 10 mm from the top down
+/// to 8.
+inline const std::vector<Vec2>& slotted_profile() {
+  static const std::vector<Vec2> profile = {{0, 0},  {30, 0}, {30, 20}, {20, 20},
+                                            {20, 8}, {10, 8}, {10, 20}, {0, 20}};
+  return profile;
+}
+
+/// A block with a slot along y, from y = 0 to 40 mm.
+inline TriMesh slotted() {
+  TriMesh part;
+  for (const double y : {0.0, 40.0}) {
+    for (const Vec2 p : slotted_profile()) part.positions.emplace_back(p.x, y, p.y);
+  }
+  for (const Triangle& t :
+       std::vector<Triangle>{{0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7}}) {
+    part.triangles.push_back(t);
+    part.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t j = (i + 1) % 8;
+    part.triangles.push_back({i, i + 8, j + 8});
+    part.triangles.push_back({i, j + 8, j});
+  }
+  return part;
+}
+
 }  // namespace burin::test

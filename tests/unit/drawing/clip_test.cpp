@@ -1,6 +1,8 @@
 #include <burin/drawing/clip.h>
 #include <burin/drawing/join.h>
 
+#include "burin_test/ring_size.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,17 +125,6 @@ TEST(Clip, ADiscCutsAtItsCircle) {
   }
 }
 
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  }
-  return sum;
-}
-
 TEST(Clip, AreasEndAtTheWindow) {
   // A U whose legs leave the window and come back, with a hole; and one that lies beside.
   Drawing drawing;
@@ -145,11 +136,11 @@ TEST(Clip, AreasEndAtTheWindow) {
   Drawing box = drawing;
   clip_to(Box2{{1, -5}, {29, 20}}, box);
   ASSERT_EQ(box.areas.size(), 1u);
-  EXPECT_NEAR(size_of(box.areas[0]), 28 * 10 + 2 * 9 * 10 - 4, 1e-9);
+  EXPECT_NEAR(test::signed_area(box.areas[0]), 28 * 10 + 2 * 9 * 10 - 4, 1e-9);
   Drawing disc = drawing;
   disc.areas[0].rings = {{{0, 0}, {30, 0}, {30, 40}, {0, 40}}};
   clip_to(Disc{{15, 20}, 10}, disc);
-  EXPECT_NEAR(size_of(disc.areas[0]) / (std::acos(-1.0) * 100), 1, 2e-3);
+  EXPECT_NEAR(test::signed_area(disc.areas[0]) / (std::acos(-1.0) * 100), 1, 2e-3);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <burin/drawing/bezier.h>
 
+#include "burin_test/ring_size.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,12 +44,6 @@ inline double farthest(std::span<const Vec2> from, std::span<const Vec2> line, b
   double worst = 0;
   for (const Vec2& p : from) worst = std::max(worst, distance_to_polyline(p, line, closed));
   return worst;
-}
-
-inline double signed_area(std::span<const Vec2> loop) {
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) sum += cross2(loop[i], loop[(i + 1) % loop.size()]);
-  return 0.5 * sum;
 }
 
 inline int winding(Vec2 p, std::span<const Vec2> loop) {

@@ -3,6 +3,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -37,18 +38,6 @@ Drawing ball_before_plate(const char* style, bool glass) {
   return illustrate(scene, camera, builtin_style(style), options, context);
 }
 
-/// mm^2 of paper; rings within rings are holes.
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  }
-  return sum;
-}
-
 const Area* area_of(const Drawing& drawing, std::int32_t part) {
   const auto it = std::ranges::find(drawing.areas, part, &Area::part);
   return it == drawing.areas.end() ? nullptr : &*it;
@@ -60,8 +49,10 @@ TEST(Areas, AreThoseOfTheSilhouettes) {
     const Drawing drawing = ball_before_plate(style, false);
     ASSERT_EQ(drawing.areas.size(), 2u) << style;
     ASSERT_NE(area_of(drawing, 1), nullptr);
-    EXPECT_NEAR(size_of(*area_of(drawing, 1)), scale2 * ball, 0.004 * scale2 * ball) << style;
-    EXPECT_NEAR(size_of(*area_of(drawing, 0)), scale2 * (60 * 40 - ball), 0.002 * scale2 * 2400)
+    EXPECT_NEAR(test::signed_area(*area_of(drawing, 1)), scale2 * ball, 0.004 * scale2 * ball)
+        << style;
+    EXPECT_NEAR(test::signed_area(*area_of(drawing, 0)), scale2 * (60 * 40 - ball),
+                0.002 * scale2 * 2400)
         << style;
     EXPECT_EQ(area_of(drawing, 0)->rings.size(), 2u) << "the rim and the hole that the ball makes";
   }
@@ -72,8 +63,8 @@ TEST(Areas, OfGlassLieOverWhatIsSeenThroughIt) {
   const Drawing drawing = ball_before_plate("outline", true);
   ASSERT_EQ(drawing.areas.size(), 2u);
   EXPECT_EQ(drawing.areas[0].part, 1);
-  EXPECT_NEAR(size_of(drawing.areas[0]), scale2 * ball, 0.004 * scale2 * ball);
-  EXPECT_NEAR(size_of(drawing.areas[1]), scale2 * 2400, 0.002 * scale2 * 2400);
+  EXPECT_NEAR(test::signed_area(drawing.areas[0]), scale2 * ball, 0.004 * scale2 * ball);
+  EXPECT_NEAR(test::signed_area(drawing.areas[1]), scale2 * 2400, 0.002 * scale2 * 2400);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/section/section.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -68,15 +69,7 @@ const Area* area_of(const Drawing& drawing, std::int32_t part, std::int32_t tone
 }
 
 /// mm^2 of the model's size, of a view from the top.
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      sum += 0.5 * cross2(ring[i], ring[(i + 1) % ring.size()]);
-    }
-  }
-  return sum / (kScale * kScale);
-}
+double size_of(const Area& area) { return test::signed_area(area) / (kScale * kScale); }
 
 double nearest(const Area& area, Vec2 to) {
   double least = std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include <burin/illustrate/legend.h>
 #include <burin/section/section.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -103,23 +104,11 @@ Scene painted_plate() {
   return scene;
 }
 
-/// What is inside an odd number of rings, by their signed areas.
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  }
-  return std::abs(sum);
-}
-
 std::map<std::string, double> sizes_of_colors(const Drawing& drawing) {
   std::map<std::string, double> out;
   double all = 0;
-  for (const Area& area : drawing.areas) all = std::max(all, size_of(area));
-  for (const Area& area : drawing.areas) out[area.fill] += size_of(area) / all;
+  for (const Area& area : drawing.areas) all = std::max(all, std::abs(test::signed_area(area)));
+  for (const Area& area : drawing.areas) out[area.fill] += std::abs(test::signed_area(area)) / all;
   return out;
 }
 
@@ -260,7 +249,7 @@ TEST(Fills, AreHatchedInTheTonesThatAreAskedFor) {
   style.fill.hatch.distance = 0.2;
   const auto size = [&](const Drawing& drawing, int tone) {
     const auto area = std::ranges::find(drawing.areas, tone, &Area::tone);
-    return area == drawing.areas.end() ? 0 : size_of(*area);
+    return area == drawing.areas.end() ? 0 : std::abs(test::signed_area(*area));
   };
   for (int tones = 1; tones <= 3; ++tones) {
     style.fill.hatch.tones = tones;

@@ -3,6 +3,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -52,17 +53,6 @@ const Area* shadow_of(const Drawing& drawing) {
   return it == drawing.areas.end() ? nullptr : &*it;
 }
 
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  }
-  return std::abs(sum);
-}
-
 TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
   const double w = 20, d = 30, h = 25;
   const Seen seen = draw(boxes({{{-10, -15, 4}, {10, 15, 4 + h}}}), "iso");
@@ -73,7 +63,7 @@ TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
   const Vec3 l = seen.to_light;
   const double model = w * d + h / l.z * (std::abs(l.x) * d + std::abs(l.y) * w);
   const double paper = model * kScale * kScale * seen.to_viewer.z;
-  EXPECT_NEAR(size_of(*shadow) / paper, 1, 1e-3);
+  EXPECT_NEAR(std::abs(test::signed_area(*shadow)) / paper, 1, 1e-3);
 }
 
 TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {

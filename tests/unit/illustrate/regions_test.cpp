@@ -5,6 +5,7 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/section/section.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -49,16 +50,7 @@ struct Shown {
 };
 
 /// mm^2 of the model's size; rings within rings are holes.
-double size_of(const Area& area) {
-  double sum = 0;
-  for (const std::vector<Vec2>& ring : area.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  }
-  return sum / 4;
-}
+double size_of(const Area& area) { return test::signed_area(area) / 4; }
 
 TriMesh moved(TriMesh mesh, Vec3 by) {
   for (Vec3& p : mesh.positions) p += by;
@@ -140,24 +132,8 @@ TEST(Regions, OfFlushBoxesEndWhereTheyMeet) {
 }
 
 TEST(Regions, OfASlottedPartLeaveTheSlotOpen) {
-  const std::vector<Vec2> profile = {{0, 0},  {30, 0}, {30, 20}, {20, 20},
-                                     {20, 8}, {10, 8}, {10, 20}, {0, 20}};
-  TriMesh part;
-  for (const double y : {0.0, 40.0}) {
-    for (const Vec2 p : profile) part.positions.emplace_back(p.x, y, p.y);
-  }
-  for (const Triangle& t :
-       std::vector<Triangle>{{0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7}}) {
-    part.triangles.push_back(t);
-    part.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
-  }
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const std::uint32_t j = (i + 1) % 8;
-    part.triangles.push_back({i, i + 8, j + 8});
-    part.triangles.push_back({i, j + 8, j});
-  }
   Shown s;
-  s.add(std::move(part));
+  s.add(test::slotted());
   s.fill(3);
   const Drawing d = s.draw();
   ASSERT_EQ(d.areas.size(), 1u);

@@ -99,10 +99,10 @@ TEST(RegionTruths, ToneOfABallIsACapWhoseRimIsACircle) {
     const double outer = rim(area.tone), inner = rim(area.tone + 1);
     double size = 0;
     for (const std::vector<Vec2>& ring : area.rings) {
-      const double signed_size = test::signed_size(ring);
-      size += signed_size;
+      const double area_of_ring = test::signed_area(ring);
+      size += area_of_ring;
       for (const Vec2 p : ring) {
-        EXPECT_NEAR(glm::distance(p, middle), signed_size > 0 ? outer : inner, 0.02) << area.tone;
+        EXPECT_NEAR(glm::distance(p, middle), area_of_ring > 0 ? outer : inner, 0.02) << area.tone;
       }
     }
     EXPECT_NEAR(size / (kPi * (outer * outer - inner * inner)), 1, 1e-3) << area.tone;
@@ -120,7 +120,7 @@ TEST(RegionTruths, ATorusFromAboveIsARingBetweenTwoCircles) {
   const Vec2 middle = s.camera().to_paper(Vec3(0));
   EXPECT_EQ(test::winding(d.areas[0].rings, middle), 0) << "the hole";
   for (const std::vector<Vec2>& ring : d.areas[0].rings) {
-    const double radius = test::signed_size(ring) > 0 ? 52 : 28;
+    const double radius = test::signed_area(ring) > 0 ? 52 : 28;
     for (const Vec2 p : ring) EXPECT_NEAR(glm::distance(p, middle), radius, 0.02);
   }
 }
@@ -174,29 +174,13 @@ TEST(RegionTruths, TheShadowOfACubeOnTheGroundIsAHexagon) {
   } while (glm::distance(from, hull[0]) > 1e-9 && hull.size() < 9);
   ASSERT_EQ(hull.size(), 6u);
   std::vector<Vec2> ring = shadow->rings[0];
-  if (test::signed_size(ring) < 0) std::ranges::reverse(ring);
+  if (test::signed_area(ring) < 0) std::ranges::reverse(ring);
   expect_corners(ring, hull, 1e-3);
 }
 
 TEST(RegionTruths, OfAPartSeenAlongItsSlotTheSlotIsPaper) {
   Shown s;
-  const std::vector<Vec2> profile = {{0, 0},  {30, 0}, {30, 20}, {20, 20},
-                                     {20, 8}, {10, 8}, {10, 20}, {0, 20}};
-  TriMesh part;
-  for (const double y : {0.0, 40.0}) {
-    for (const Vec2 p : profile) part.positions.emplace_back(p.x, y, p.y);
-  }
-  for (const Triangle& t :
-       std::vector<Triangle>{{0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7}}) {
-    part.triangles.push_back(t);
-    part.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
-  }
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const std::uint32_t j = (i + 1) % 8;
-    part.triangles.push_back({i, i + 8, j + 8});
-    part.triangles.push_back({i, j + 8, j});
-  }
-  s.add(std::move(part));
+  s.add(test::slotted());
   s.view.direction = {0, -1, 0};
   s.fill(3);
   const Camera camera = s.camera();
@@ -204,7 +188,7 @@ TEST(RegionTruths, OfAPartSeenAlongItsSlotTheSlotIsPaper) {
   ASSERT_EQ(d.areas.size(), 1u);
   ASSERT_EQ(d.areas[0].rings.size(), 1u);
   std::vector<Vec2> wanted;
-  for (const Vec2 p : profile) wanted.push_back(camera.to_paper({p.x, 0, p.y}));
+  for (const Vec2 p : test::slotted_profile()) wanted.push_back(camera.to_paper({p.x, 0, p.y}));
   expect_corners(d.areas[0].rings[0], wanted, 1e-6);
 }
 
