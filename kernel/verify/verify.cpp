@@ -235,7 +235,7 @@ class Referees {
 };
 
 std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera,
-                               const Referees& court, RunContext& context) {
+                               const Referees& referees, RunContext& context) {
   std::vector<Tested> tested(lines.size());
   const NearLines drawn = drawn_features(lines, camera);
   for (std::size_t from = 0; from < lines.size(); from += kAtOnce) {
@@ -244,7 +244,7 @@ std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera
         std::min(kAtOnce, lines.size() - from), kGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = from + begin; i < from + end; ++i) {
-            const Referee* referee = court.of(lines[i].source.part);
+            const Referee* referee = referees.of(lines[i].source.part);
             if (referee) tested[i] = test_line(lines[i], camera, *referee, drawn);
           }
         },
@@ -280,15 +280,15 @@ Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<c
 }
 
 void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
-                const VerifyOptions& options, const Referees& court, Diagnostics& diagnostics,
+                const VerifyOptions& options, const Referees& referees, Diagnostics& diagnostics,
                 const RunContext& context, Verification& out) {
   AreaRule rule = *options.areas;
   rule.facet_light = kFacetLight;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     rule.glass.push_back(flagged(options, i, PartOpacity::Transparent));
   }
-  const AreaWitnesses witnesses{court.solid(), court.all(),
-                                [&](std::int32_t part) { return court.of(part); }};
+  const AreaWitnesses witnesses{referees.solid(), referees.all(),
+                                [&](std::int32_t part) { return referees.of(part); }};
   const AreaJudge judge(rule, witnesses);
   const AreaFindings found =
       wrong_areas(judge, used_sheet(drawing, lines, rule.areas), drawing.seed, context);
@@ -320,7 +320,7 @@ void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene
 Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
                     const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
                     RunContext& context) {
-  const Referees court(scene, camera, options, diagnostics, context);
+  const Referees referees(scene, camera, options, diagnostics, context);
   context.begin_stage(RunStage::Verify);
   Verification out;
   const auto add = [&](const std::vector<Contradiction>& found) {
@@ -330,17 +330,18 @@ Verification verify(const Drawing& drawing, std::span<const Path> lines, const S
       out.contradictions.push_back(c);
     }
   };
-  for (const Tested& t : test_lines(lines, camera, court, context)) {
+  for (const Tested& t : test_lines(lines, camera, referees, context)) {
     out.spans += t.length > 0 ? 1 : 0;
     out.length += t.length;
     add(t.found);
   }
-  if (options.outline) add(missing_outline(drawing, court.all(), camera, context));
+  if (options.outline) add(missing_outline(drawing, referees.all(), camera, context));
   std::ranges::stable_sort(out.contradictions, std::ranges::greater{}, &Contradiction::length);
   if (out.contradictions.size() > kListed) out.contradictions.resize(kListed);
   if (options.outline) add_loose_ends(drawing, out);
   report(out, scene, diagnostics);
-  if (options.areas) test_areas(drawing, lines, scene, options, court, diagnostics, context, out);
+  if (options.areas)
+    test_areas(drawing, lines, scene, options, referees, diagnostics, context, out);
   context.end_stage();
   return out;
 }

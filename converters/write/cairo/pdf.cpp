@@ -122,8 +122,9 @@ std::string asked_date(const char* form) {
 
 void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
                std::ostream& out, const RunContext& context) {
-  const auto inked = [](const Drawing* page) { return !page->inks.empty(); };
-  if (std::ranges::any_of(pages, inked)) return write_inked_pdf(pages, options, out, context);
+  const auto has_inks = [](const Drawing* page) { return !page->inks.empty(); };
+  if (std::ranges::any_of(pages, has_inks))
+    return write_pdf_with_inks(pages, options, out, context);
   const auto points = [](double mm) { return mm * kPointsPerMm; };
   const Drawing& first = *pages.front();
   Sink sink{out, context};

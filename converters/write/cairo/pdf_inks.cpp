@@ -207,8 +207,8 @@ std::string info_of(const Drawing& drawing) {
 
 }  // namespace
 
-void write_inked_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
-                     std::ostream& out, const RunContext& context) {
+void write_pdf_with_inks(std::span<const Drawing* const> pages, const WriteOptions& options,
+                         std::ostream& out, const RunContext& context) {
   const Inks inks(pages);
   PdfObjects file(out);
   const std::size_t catalog = file.reserve(), tree = file.reserve(), info = file.reserve(),

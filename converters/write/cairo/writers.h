@@ -14,8 +14,8 @@ void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& option
 
 /// The same with each of `Drawing::inks` as a colour space (Separation) and grey lines as tints of
 /// black that print over what is below them. Cairo has no such colours. @cite PDF17
-void write_inked_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
-                     std::ostream& out, const RunContext& context);
+void write_pdf_with_inks(std::span<const Drawing* const> pages, const WriteOptions& options,
+                         std::ostream& out, const RunContext& context);
 
 /// Grey, one byte a pixel (two with a transparent background).
 void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
