@@ -4,7 +4,7 @@
 #include <burin/base/error.h>
 
 #include "exchange.h"
-#include "flat.h"
+#include "flat/flat.h"
 
 #include <fmt/format.h>
 

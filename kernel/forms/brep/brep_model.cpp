@@ -4,19 +4,19 @@
 #include <burin/forms/charted/refine.h>
 
 #include "body_volumes.h"
-#include "chart_mesh_builder.h"
+#include "charts/surface_chart.h"
+#include "charts/unroll_wires.h"
 #include "contain.h"
-#include "fill_wires.h"
-#include "isolate.h"
-#include "loose_faces.h"
-#include "make_manifold.h"
-#include "mesher.h"
 #include "model_parts.h"
 #include "name_faces.h"
 #include "shape_bounds.h"
-#include "stray_faces.h"
-#include "surface_chart.h"
-#include "unroll_wires.h"
+#include "triangles/chart_mesh_builder.h"
+#include "triangles/fill_wires.h"
+#include "triangles/isolate.h"
+#include "triangles/loose_faces.h"
+#include "triangles/make_manifold.h"
+#include "triangles/mesher.h"
+#include "triangles/stray_faces.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TopExp_Explorer.hxx>

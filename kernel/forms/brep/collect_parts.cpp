@@ -1,8 +1,8 @@
+#include "charts/wild_pcurve.h"
 #include "contain.h"
-#include "mesher.h"
 #include "model_parts.h"
 #include "occt_vec.h"
-#include "wild_pcurve.h"
+#include "triangles/mesher.h"
 
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>

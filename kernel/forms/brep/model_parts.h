@@ -4,7 +4,7 @@
 #include <burin/base/box.h>
 #include <burin/forms/brep/occt/brep_model.h>
 
-#include "pcurve.h"
+#include "charts/pcurve.h"
 
 #include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>

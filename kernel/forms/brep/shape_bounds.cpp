@@ -4,7 +4,7 @@
 
 #include "contain.h"
 #include "occt_vec.h"
-#include "trim_polygon.h"
+#include "triangles/trim_polygon.h"
 
 #include <GeomAbs_CurveType.hxx>
 #include <Geom_BSplineCurve.hxx>

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 
+#include "flat/origins.h"
 #include "flat_trees.h"
-#include "origins.h"
 
 #include <gtest/gtest.h>
 

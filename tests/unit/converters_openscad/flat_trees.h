@@ -4,7 +4,7 @@
 
 #include <burin/base/run_context.h>
 
-#include "flat.h"
+#include "flat/flat.h"
 
 #include <burin_test/folder.h>
 #include <burin_test/pictures.h>

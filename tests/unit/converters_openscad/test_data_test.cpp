@@ -1,5 +1,5 @@
+#include "flat/origins.h"
 #include "flat_trees.h"
-#include "origins.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // What a tree comes to; for csg/solids alone.
 
-#include "../flat.h"
+#include "../flat/flat.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 // The solids that a tree begins with, and what a matrix makes of them; for csg/solids alone.
 
-#include "../flat.h"
+#include "../flat/flat.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "rows.h"
 
-#include "../sweep.h"
+#include "../flat/sweep.h"
 
 #include <algorithm>
 #include <array>

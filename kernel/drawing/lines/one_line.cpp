@@ -2,8 +2,8 @@
 #include <burin/drawing/length.h>
 #include <burin/drawing/one_line.h>
 
+#include "curves/path_piece.h"
 #include "path_grid.h"
-#include "path_piece.h"
 
 #include <algorithm>
 #include <cmath>

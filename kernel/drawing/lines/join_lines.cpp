@@ -2,7 +2,7 @@
 #include <burin/drawing/join_lines.h>
 #include <burin/drawing/length.h>
 
-#include "path_piece.h"
+#include "curves/path_piece.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <burin/base/vec.h>
 
+#include "flat/transform.h"
 #include "solid.h"
-#include "transform.h"
 
 #include <string_view>
 #include <vector>

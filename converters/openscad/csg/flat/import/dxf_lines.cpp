@@ -1,6 +1,6 @@
 #include "dxf_lines.h"
 
-#include "origins.h"
+#include "flat/origins.h"
 
 #include <algorithm>
 #include <cmath>

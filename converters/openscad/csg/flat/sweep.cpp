@@ -3,7 +3,7 @@
 #include <burin/base/error.h>
 
 #include "at_node.h"
-#include "import_file.h"
+#include "flat/import/import_file.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include <burin/base/error.h>
 
-#include "clip.h"
+#include "flat/clip.h"
+#include "flat/transform.h"
 #include "import_file.h"
 #include "source.h"
 #include "svg_shapes.h"
 #include "text.h"
-#include "transform.h"
 
 #include <pugixml.hpp>
 

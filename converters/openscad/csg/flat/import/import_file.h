@@ -4,7 +4,7 @@
 #include <burin/base/missing_file.h>
 
 #include "at_node.h"
-#include "flat.h"
+#include "flat/flat.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include <burin/drawing/coincident.h>
 
-#include "path_piece.h"
+#include "curves/path_piece.h"
 
 #include <algorithm>
 #include <cmath>

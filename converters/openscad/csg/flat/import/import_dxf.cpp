@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 
-#include "clip.h"
 #include "dxf_lines.h"
+#include "flat/clip.h"
 #include "fragments.h"
 #include "import_file.h"
 #include "text.h"

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/pictures.h>
 
-#include "import_file.h"
+#include "flat/import/import_file.h"
 #include "source.h"
 #include "text.h"
 

@@ -2,9 +2,9 @@
 
 #include <burin/base/parallel.h>
 
+#include "charts/spline_nodes.h"
 #include "contain.h"
 #include "occt_vec.h"
-#include "spline_nodes.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>

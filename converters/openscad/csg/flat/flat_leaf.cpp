@@ -1,8 +1,8 @@
 #include "at_node.h"
 #include "clip.h"
 #include "flat.h"
+#include "flat/import/import_file.h"
 #include "fragments.h"
-#include "import_file.h"
 #include "lettering.h"
 #include "origins.h"
 

@@ -1,5 +1,5 @@
 #include "flat.h"
-#include "import_file.h"
+#include "flat/import/import_file.h"
 
 namespace burin::csg {
 namespace {
