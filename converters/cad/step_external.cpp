@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
+#include <burin/base/short_list.h>
 
 #include "text.h"
 
@@ -12,8 +13,6 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <set>
@@ -61,15 +60,7 @@ Names not_read(STEPCAFControl_Reader& reader, const std::filesystem::path& folde
   return missing;
 }
 
-std::string listed(const Names& names) {
-  std::vector<std::string> first;
-  for (const std::string& name : names) {
-    if (first.size() < kMostNamed) first.push_back(clean_name(name));
-  }
-  const std::string more =
-      names.size() > kMostNamed ? fmt::format(" and {} more", names.size() - kMostNamed) : "";
-  return fmt::format("{}{}", fmt::join(first, ", "), more);
-}
+std::string listed(const Names& names) { return short_list(names, kMostNamed, clean_name); }
 
 }  // namespace
 

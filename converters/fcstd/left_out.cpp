@@ -1,5 +1,7 @@
 #include "left_out.h"
 
+#include <burin/base/short_list.h>
+
 #include "labels.h"
 #include "text.h"
 
@@ -61,13 +63,8 @@ void LeftOut::add(Severity severity, const char* code, const std::string& why,
 
 void LeftOut::report(Diagnostics& diagnostics) const {
   for (const Reason& r : reasons_) {
-    std::string list;
-    for (std::size_t i = 0; i < std::min(r.names.size(), kNamed); ++i) {
-      list += (i == 0 ? "" : ", ") + in_quotes(r.names[i]);
-    }
-    if (r.names.size() > kNamed) list += fmt::format(" and {} more", r.names.size() - kNamed);
     diagnostics.add(r.severity, r.code, static_cast<std::int64_t>(r.names.size()),
-                    r.why + ": " + list);
+                    r.why + ": " + short_list(r.names, kNamed, in_quotes));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <burin/annotate/annotate.h>
 #include <burin/annotate/place.h>
+#include <burin/base/short_list.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/length.h>
 
@@ -204,12 +205,9 @@ int largest_number(const std::vector<DrawingItem>& items) {
 }
 
 std::string names_of(const std::vector<const DrawingItem*>& items) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(items.size(), kMostNamed); ++i) {
-    names += fmt::format("{}{} '{}'", i > 0 ? ", " : "", items[i]->number, items[i]->name);
-  }
-  if (items.size() > kMostNamed) names += fmt::format(" and {} more", items.size() - kMostNamed);
-  return names;
+  return short_list(items, kMostNamed, [](const DrawingItem* item) {
+    return fmt::format("{} '{}'", item->number, item->name);
+  });
 }
 
 void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, const Box2& frame,

@@ -3,6 +3,7 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/base/short_list.h>
 
 #include "selector_names.h"
 
@@ -115,11 +116,7 @@ std::string known_names(const Scene& scene, std::string_view selector) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   std::ranges::stable_sort(names, {},
                            [&](const std::string& name) { return edit_distance(name, selector); });
-  const std::size_t more = names.size() - std::min(names.size(), kMost);
-  names.resize(names.size() - more);
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
-  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
+  return short_list(names, kMost, [](const std::string& name) { return "'" + name + "'"; });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "missing_directions.h"
 
 #include <burin/base/parallel.h>
+#include <burin/base/short_list.h>
 #include <burin/field/catalogue.h>
 
 #include <fmt/format.h>
@@ -95,13 +96,10 @@ void MissingDirections::add(const Found& found) {
 
 std::string MissingDirections::names(const std::vector<std::size_t>& parts) const {
   constexpr std::size_t kNamed = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(parts.size(), kNamed); ++i) {
-    const std::string& name = scene_.parts[parts[i]].name;
-    text += (i == 0 ? "" : ", ") +
-            (name.empty() ? fmt::format("part {}", parts[i]) : fmt::format("'{}'", name));
-  }
-  return text + (parts.size() > kNamed ? fmt::format(" and {} more", parts.size() - kNamed) : "");
+  return short_list(parts, kNamed, [&](std::size_t part) {
+    const std::string& name = scene_.parts[part].name;
+    return name.empty() ? fmt::format("part {}", part) : fmt::format("'{}'", name);
+  });
 }
 
 void MissingDirections::report(Diagnostics& diagnostics) const {

@@ -1,5 +1,6 @@
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
+#include <burin/base/short_list.h>
 #include <burin/explode/explode.h>
 #include <burin/surface/placed_form.h>
 #include <burin/visibility/occluder.h>
@@ -134,11 +135,8 @@ struct ExplodeModel::Impl {
 
   std::string names(const std::vector<std::size_t>& parts) const {
     constexpr std::size_t kMost = 12;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(parts.size(), kMost); ++i) {
-      text += (i > 0 ? ", '" : "'") + shapes.paths[parts[i]] + "'";
-    }
-    return parts.size() > kMost ? fmt::format("{} and {} more", text, parts.size() - kMost) : text;
+    return short_list(parts, kMost,
+                      [&](std::size_t part) { return "'" + shapes.paths[part] + "'"; });
   }
 
   void report(const Explosion& explosion, std::int64_t crowded, Diagnostics& diagnostics) const {

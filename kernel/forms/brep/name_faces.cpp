@@ -1,9 +1,9 @@
 #include "name_faces.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <burin/base/short_list.h>
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cstddef>
 
 namespace burin {
@@ -11,12 +11,8 @@ namespace burin {
 std::string face_list(std::vector<std::int32_t> faces, const Atlas& atlas) {
   for (std::int32_t& face : faces) face = atlas.source_face(face);
   constexpr std::size_t kNamed = 10;
-  const std::size_t named = std::min(faces.size(), kNamed);
-  std::string list = fmt::format(
-      "face{} {}", faces.size() > 1 ? "s" : "",
-      fmt::join(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(named), ", "));
-  if (named < faces.size()) list += fmt::format(" and {} more", faces.size() - named);
-  return list;
+  return (faces.size() > 1 ? "faces " : "face ") +
+         short_list(faces, kNamed, [](std::int32_t face) { return std::to_string(face); });
 }
 
 void name_loose_faces(const std::vector<std::uint8_t>& marked, const std::string& reason,

@@ -4,6 +4,7 @@
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 #include <burin/base/run_context.h>
+#include <burin/base/short_list.h>
 #include <burin/base/vec.h>
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -148,6 +150,14 @@ TEST(Groups, HoldItemsInTheirOrderOnceForEachKey) {
   EXPECT_EQ(list(3), (std::vector{31, 40}));
   EXPECT_TRUE(at[4].empty());
   EXPECT_EQ(Groups<int>{}.size(), 0u);
+}
+
+TEST(ShortList, NamesTheFirstAndCountsTheRest) {
+  const std::vector<std::string> names{"a", "b", "c"};
+  EXPECT_EQ(short_list(std::vector<std::string>{}, 2), "");
+  EXPECT_EQ(short_list(names, 3), "a, b, c");
+  EXPECT_EQ(short_list(names, 2), "a, b and 1 more");
+  EXPECT_EQ(short_list(std::set{7, 9}, 1, [](int i) { return std::to_string(i); }), "7 and 1 more");
 }
 
 TEST(Curve3, CountsSegments) {
