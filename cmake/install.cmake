@@ -27,7 +27,8 @@ set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 if(BURIN_OPENSCAD)
   burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
   install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
-  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad
+    ${PROJECT_SOURCE_DIR}/converters/openscad/node/openscad.mjs DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
     COMPONENT command)
 endif()
 if(BURIN_COMMAND)
@@ -66,7 +67,8 @@ function(burin_install_bundle folder component)
   if(BURIN_OPENSCAD)
     install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
   endif()
-  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${folder}/burin/openscad
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad
+    ${PROJECT_SOURCE_DIR}/converters/openscad/node/openscad.mjs DESTINATION ${folder}/burin/openscad
     COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin/ DESTINATION ${folder}
     COMPONENT ${component} EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)

@@ -100,6 +100,7 @@ void Messages::trace(const std::string& line) {
   Remark call;
   call.text = line.substr(kCalled.size());
   take_place(call);
+  cut_folder(call.file);
   if (call.line == 0 || (call.file != "<stdin>" && call.file != file_)) return;
   traced_ = true;
   while (call.text.ends_with('\'')) call.text.pop_back();
@@ -107,10 +108,15 @@ void Messages::trace(const std::string& line) {
                                       clean_name(file_), call.line);
 }
 
+void Messages::cut_folder(std::string& file) const {
+  if (!folder_.empty() && file.starts_with(folder_ + "/")) file.erase(0, folder_.size() + 1);
+}
+
 void Messages::end() {
   if (!open_) return;
   Remark remark = *std::exchange(open_, std::nullopt);
   take_place(remark);
+  cut_folder(remark.file);
   remark.text = clean_name(remark.text.substr(0, kLongestText));
   if (remark.text.find("open library") != std::string::npos &&
       remark.text.find("burin.scad") != std::string::npos) {
@@ -157,6 +163,27 @@ const Remark* Messages::first(Severity severity) const {
   const auto found = std::find_if(remarks_.begin(), remarks_.end(),
                                   [&](const Remark& r) { return r.severity == severity; });
   return found == remarks_.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> Messages::not_understood() const {
+  // Modules, functions and parameters that came after 2021.01.
+  constexpr std::array<std::string_view, 12> kNewer{
+      "module 'roof'",     "module 'fill'",     "function 'textmetrics'", "function 'fontmetrics'",
+      "function 'import'", "function 'object'", "function 'is_object'",   "function 'has_key'",
+      "module 'import3d'", "variable v not",    "variable start not",     "function 'import3d'"};
+  for (const Remark& remark : remarks_) {
+    if (remark.severity == Severity::Error && remark.text.starts_with("Parser error")) {
+      return "its syntax";
+    }
+    if (remark.severity != Severity::Warning) continue;
+    for (const std::string_view newer : kNewer) {
+      if (remark.text.find(newer) == std::string::npos) continue;
+      const std::string_view word = newer.substr(newer.find(' ') + 1);
+      return word.ends_with(" not") ? fmt::format("'{}'", word.substr(0, word.size() - 4))
+                                    : std::string(word);
+    }
+  }
+  return {};
 }
 
 Diagnostics Messages::diagnostics(const std::string& folder) const {

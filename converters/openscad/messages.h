@@ -25,8 +25,10 @@ struct Remark {
 /// of each severity.
 class Messages {
  public:
-  /// `file`: the name of what OpenSCAD reads on its standard input.
-  explicit Messages(std::string file = {}) : file_(std::move(file)) {}
+  /// `file`: the name of what OpenSCAD reads on its standard input. `folder`: where it runs; names
+  /// of files in it, which today's OpenSCAD gives in full, are cut short.
+  explicit Messages(std::string file = {}, std::string folder = {})
+      : file_(std::move(file)), folder_(std::move(folder)) {}
 
   /// A line, of a remark or of one that began before: texts of assert() and echo() may have
   /// several.
@@ -38,6 +40,9 @@ class Messages {
   const Remark* first(Severity severity) const;
   bool two_dimensional() const { return two_dimensional_; }
   bool empty() const { return empty_; }
+  /// What a newer OpenSCAD may know and this one did not: "its syntax", a word of the language in
+  /// quotes; or nothing.
+  std::optional<std::string> not_understood() const;
   /// The last line, for programs that are no OpenSCAD.
   const std::string& last() const { return last_; }
   /// As "openscad.warning" and so on; `folder` is put before the names of files.
@@ -47,6 +52,7 @@ class Messages {
   bool begin(const std::string& line);
   bool go_on(const std::string& line);
   void trace(const std::string& line);
+  void cut_folder(std::string& file) const;
   /// Whether it is a new one.
   bool keep(Remark remark);
 
@@ -59,7 +65,7 @@ class Messages {
   std::vector<Remark> remarks_;
   std::int64_t kept_[3] = {0, 0, 0}, dropped_[3] = {0, 0, 0};
   bool two_dimensional_ = false, empty_ = false;
-  std::string file_, last_;
+  std::string file_, folder_, last_;
 };
 
 inline constexpr std::int64_t kMostRemarks = 50;

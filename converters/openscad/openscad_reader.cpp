@@ -115,8 +115,7 @@ bool run_marked(const Path& path, const OpenscadOptions& options, Program& out,
   return true;
 }
 
-/// Throws NotEvaluated for a tree that is none that Burin knows.
-Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& context) {
+Program run_program(const Path& path, const OpenscadOptions& options, RunContext& context) {
   Program out;
   if (auto tree = tree_in(path, options, context)) {
     out.tree = std::move(*tree);
@@ -130,6 +129,15 @@ Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& 
     out.tree = csg::parse(detail::contents(tree), path.string(), context);
   } catch (const InputError& e) {
     throw csg::NotEvaluated(e.what());
+  }
+  return out;
+}
+
+/// Throws NotEvaluated for a tree that is none that Burin knows.
+Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& context) {
+  Program out = run_program(path, options, context);
+  if (const std::string what = csg::not_known_in(out.tree); !what.empty()) {
+    throw csg::NotEvaluated(what + " is OpenSCAD's alone");
   }
   return out;
 }

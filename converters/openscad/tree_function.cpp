@@ -224,8 +224,7 @@ class Builder {
   Solid extruded(const csg::Node& n, const Solid& flat) const {
     if (!flat) return {};
     if (n.number("twist", 0) != 0) has_none(n, " with a twist");
-    const std::vector<double> scale = n.numbers("scale");
-    for (const double s : scale) {
+    for (const double s : csg::top_scale(n)) {
       if (s != 1) has_none(n, " with a scale");
     }
     const double h = n.number("height", 100);

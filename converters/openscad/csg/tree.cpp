@@ -1,5 +1,6 @@
 #include "tree.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 
 #include <fmt/format.h>
@@ -97,6 +98,38 @@ double Matrix::determinant() const {
   return row[0][0] * minor(1, 2) - row[0][1] * minor(0, 2) + row[0][2] * minor(0, 1);
 }
 
+std::array<double, 2> top_scale(const Node& node) {
+  const Value* scale = node.argument("scale");
+  if (!scale || !scale->is_list()) {
+    const double both = node.number("scale", 1);
+    return {both, both};
+  }
+  const std::vector<double> two = node.numbers("scale");
+  return two.size() < 2 ? std::array{1.0, 1.0} : std::array{two[0], two[1]};
+}
+
+std::string not_known_in(const Tree& tree) {
+  for (const Node& n : tree.nodes) {
+    if (n.module == Module::LinearExtrude) {
+      const std::vector<double> way = n.numbers("v");
+      const bool up = way.empty() || (way.size() == 3 && way[0] == 0 && way[1] == 0 && way[2] > 0);
+      if (!up) return "linear_extrude() along a vector";
+      if (n.number("segments", 0) > 0) return "linear_extrude() in segments";
+    } else if (n.module == Module::RotateExtrude) {
+      // A whole turn begins at 180 degrees: where it begins shows in its facets alone.
+      const double angle = n.number("angle", 360);
+      const bool whole = angle <= -360 || angle >= 360;
+      if (whole && n.number("start", 180) != 180) return "rotate_extrude() with a start";
+    } else if (n.module == Module::Import) {
+      const bool svg = lowered(n.text("file")).ends_with(".svg");
+      if (!n.text("id").empty() || (svg && !n.text("layer").empty())) {
+        return "import() of a part of a file";
+      }
+    }
+  }
+  return {};
+}
+
 bool is_canonical(const Tree& tree) {
   const auto has = [](const Node& n, std::initializer_list<std::string_view> names) {
     return std::ranges::all_of(names, [&](std::string_view name) { return n.argument(name); });
@@ -121,7 +154,7 @@ bool is_canonical(const Tree& tree) {
       case Module::Surface:
         return has(n, {"file"});
       case Module::LinearExtrude:
-        return has(n, {"height", "center", "scale"});
+        return has(n, {"height", "center", "scale"}) || has(n, {"height", "$fn", "$fa", "$fs"});
       case Module::RotateExtrude:
         return has(n, {"angle", "$fn"});
       case Module::Projection:

@@ -14,8 +14,9 @@
 
 namespace burin::csg {
 
-/// Every module that OpenSCAD 2021.01 writes. What its users call translate, rotate, scale and
-/// mirror is a multmatrix there, their own modules and loops are groups.
+/// Every module that OpenSCAD 2021.01 writes, and of later ones those that it knew. What its users
+/// call translate, rotate, scale and mirror is a multmatrix there, their own modules and loops are
+/// groups.
 enum class Module : std::uint8_t {
   Cube,
   Sphere,
@@ -116,6 +117,14 @@ struct Matrix {
 /// That of a multmatrix(), the identity of other nodes. Numbers that are not finite make nothing of
 /// what stands below, as in OpenSCAD: zeros.
 Matrix matrix_of(const Tree& tree, std::uint32_t node);
+
+/// Of a linear_extrude(), how much larger the top is than the foot. OpenSCAD of today writes one
+/// number for two that are the same, and none for 1.
+std::array<double, 2> top_scale(const Node& node);
+
+/// What OpenSCAD of today may write and the evaluator does not know, named as in a message; empty
+/// where there is nothing of the kind.
+std::string not_known_in(const Tree& tree);
 
 /// Whether all nodes have the arguments that OpenSCAD writes for them: a program that looks like a
 /// tree may leave some out, or say them otherwise.

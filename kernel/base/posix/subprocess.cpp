@@ -191,6 +191,9 @@ std::size_t MemoryFile::size() const {
   struct stat info {};
   return ::fstat(descriptor_, &info) == 0 ? static_cast<std::size_t>(info.st_size) : 0;
 }
+void MemoryFile::clear() const {
+  if (::ftruncate(descriptor_, 0) != 0) throw InputError("a file in memory cannot be emptied");
+}
 std::string MemoryFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
 SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {

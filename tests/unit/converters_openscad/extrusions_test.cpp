@@ -115,6 +115,11 @@ TEST(Extrusions, TurnedRectanglesAreTubes) {
             .solid();
     expect_solid(part, 5 * (polygon_area(36, 5) - polygon_area(36, 3)) / 4, angle);
   }
+  // From 90 to 180 degrees.
+  const Solid late =
+      Evaluated("rotate_extrude(angle = 90, start = 90, $fn = 36) " + rectangle).solid();
+  expect_solid(late, 5 * (polygon_area(36, 5) - polygon_area(36, 3)) / 4, "late");
+  for (const Vec3& p : late.positions) EXPECT_TRUE(p.x <= 0 && p.y >= 0) << p.x << ' ' << p.y;
 }
 
 TEST(Extrusions, ShapesOnTheOtherSideOfTheAxisTurnToo) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace burin::csg {
@@ -24,6 +25,31 @@ std::string refused(const std::string& text) {
     return std::to_string(e.line()) + ": " + e.what();
   }
   return "nothing";
+}
+
+// OpenSCAD of 2025 writes fewer arguments, one number for two, and some of its own.
+TEST(CsgTree, TreesOfTodayAreRead) {
+  const std::string extruded = "linear_extrude(height = 2, ",
+                    rest = "$fn = 0, $fa = 12, $fs = 2) { circle(r = 1); }";
+  const auto scale = [&](const std::string& text) {
+    return top_scale(tree_of(extruded + text + rest).nodes[1]);
+  };
+  EXPECT_EQ(scale(""), (std::array{1.0, 1.0}));
+  EXPECT_EQ(scale("scale = 0.5, "), (std::array{0.5, 0.5}));
+  EXPECT_EQ(scale("scale = [1, 2], "), (std::array{1.0, 2.0}));
+  EXPECT_TRUE(is_canonical(tree_of("linear_extrude(height = 2, $fn = 0, $fa = 12, $fs = 2);")));
+  EXPECT_FALSE(is_canonical(tree_of("linear_extrude(height = 2);")));
+  const auto not_known = [](const std::string& text) { return not_known_in(tree_of(text)); };
+  EXPECT_EQ(not_known(extruded + "v = [0, 0, 1], " + rest), "");
+  EXPECT_EQ(not_known(extruded + "v = [0.6, 0, 0.8], " + rest), "linear_extrude() along a vector");
+  EXPECT_EQ(not_known(extruded + "segments = 9, " + rest), "linear_extrude() in segments");
+  EXPECT_EQ(not_known("rotate_extrude(angle = 360, start = 180);"), "");
+  EXPECT_EQ(not_known("rotate_extrude(angle = 90, start = 30);"), "");
+  EXPECT_EQ(not_known("rotate_extrude(angle = 360, start = 0);"), "rotate_extrude() with a start");
+  EXPECT_EQ(not_known("import(file = \"a.dxf\", layer = \"b\");"), "");
+  EXPECT_EQ(not_known("import(file = \"a.svg\", layer = \"\");"), "");
+  EXPECT_EQ(not_known("import(file = \"a.SVG\", layer = \"b\");"), "import() of a part of a file");
+  EXPECT_EQ(not_known("import(file = \"a.svg\", id = \"b\");"), "import() of a part of a file");
 }
 
 TEST(CsgTree, NodesKeepTheirOrderAndTheirTexts) {

@@ -239,8 +239,8 @@ Solid linear_extruded(Evaluation& e, std::uint32_t node, const Region& region) {
   x.height = n.number("height", 100);
   x.twist = n.number("twist", 0);
   x.center = n.truth("center", false);
-  const std::vector<double> scale = n.numbers("scale");
-  if (scale.size() >= 2) x.scale = glm::max(Vec2(scale[0], scale[1]), Vec2(0));
+  const auto [top_x, top_y] = top_scale(n);
+  x.scale = glm::max(Vec2(top_x, top_y), Vec2(0));
   if (!std::isfinite(x.height) || !std::isfinite(x.twist) ||
       !std::isfinite(x.scale.x + x.scale.y)) {
     throw InputError("linear_extrude() with a height, twist or scale that is no finite number");

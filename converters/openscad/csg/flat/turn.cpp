@@ -16,11 +16,12 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class Turner {
  public:
-  Turner(Evaluation& e, const Region& region, double angle, int fragments)
+  Turner(Evaluation& e, const Region& region, double start, double angle, int fragments)
       : e_(e),
         region_(region),
         cap_(cap_of(region)),
         whole_(angle == 360),
+        start_(start),
         angle_(angle),
         fragments_(fragments) {
     for (const Vec2& p : cap_.points) left_ = left_ || p.x < 0;
@@ -52,7 +53,7 @@ class Turner {
   bool on_axis(std::uint32_t p) const { return cap_.points[p].x == 0; }
   Vec3 at(Vec2 p, int j) const {
     const Vec2 d =
-        whole_ ? Vec2(-1, 1) * corner(j, fragments_) : direction(angle_ * j / fragments_);
+        whole_ ? Vec2(-1, 1) * corner(j, fragments_) : direction(start_ + angle_ * j / fragments_);
     return {p.x * d.x, p.x * d.y, p.y};
   }
   std::uint32_t vertex(std::uint32_t p, int j) const {
@@ -125,7 +126,7 @@ class Turner {
   const Region& region_;
   Cap cap_;
   bool whole_;
-  double angle_;
+  double start_, angle_;
   int fragments_;
   bool left_ = false, flipped_ = false;
   Solid solid_;
@@ -151,7 +152,8 @@ Solid rotate_extruded(Evaluation& e, std::uint32_t node, const Region& region) {
   const Node& n = e.tree.nodes[node];
   const double angle = n.number("angle", 360);
   if (region.empty() || angle == 0) return {};
-  if (!std::isfinite(angle)) throw InputError("rotate_extrude() by an angle that is no number");
+  if (!std::isfinite(angle + n.number("start", 0)))
+    throw InputError("rotate_extrude() by an angle that is no number");
   const Region profile = onto_axis(region);
   double low = 0, high = 0, edges = 0;
   for (const Outline& o : profile.outlines) {
@@ -172,7 +174,7 @@ Solid rotate_extruded(Evaluation& e, std::uint32_t node, const Region& region) {
   const int count = fragments(high - low, fineness_of(n));
   const int part = std::max(static_cast<int>(count * std::abs(whole) / 360), 1);
   check_swept(2 * edges * part, "rotate_extrude()");
-  return Turner(e, profile, whole, part).run();
+  return Turner(e, profile, n.number("start", 0), whole, part).run();
 }
 
 }  // namespace burin::csg

@@ -21,6 +21,8 @@ class MemoryFile {
 
   int descriptor() const { return descriptor_; }
   std::size_t size() const;
+  /// Takes its bytes away.
+  void clear() const;
   /// Under which this process can open it.
   std::string path() const;
 
