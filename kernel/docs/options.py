@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes the tables of the page reference.md, from what the command reports of itself.
+"""Writes the tables of the pages reference.md and styles.md, from what the command reports of itself.
 
     kernel/docs/options.py BURIN             writes them (so does --write)
     kernel/docs/options.py BURIN --check     compares them with what the command reports (status 1 where they differ)
 
 A table stands between a line of the form <!-- TABLE ARGUMENT --> and the line <!-- end -->. TABLES below lists the tables:
-options of one group, options that one command has alone, options that commands share, style keys by group, styles, kinds of strokes, names (of formats
-or stages), and the keys of illustration files."""
+options of one group, options that one command has alone, options that commands share, style keys by group, the scopes of groups of style keys, styles,
+kinds of strokes, names (of formats or stages), and the keys of illustration files."""
 import argparse
 import json
 import pathlib
@@ -14,7 +14,9 @@ import re
 import subprocess
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parent / "reference.md"
+FOLDER = pathlib.Path(__file__).resolve().parent
+#: The first lists all: what has no table there is missing.
+PAGES = [FOLDER / "reference.md", FOLDER / "styles.md"]
 HELP_COLUMN = 28
 
 
@@ -103,6 +105,25 @@ def style_keys(command, groups):
     return table("| key | takes | in `technical` | scope | meaning |", rows)
 
 
+def scopes(command, _):
+    """Which groups of style keys concern a part, which the drawing; of a group of both kinds the fewer keys by name."""
+    groups = {}
+    for key in command.catalogues["style_keys"]:
+        groups.setdefault(key["name"].split(".")[0], {}).setdefault(key["scope"], []).append(key["name"])
+
+    def listed(scope):
+        found = []
+        for name, keys in groups.items():
+            own, other = keys.get(scope, []), [key for of in keys if of != scope for key in keys[of]]
+            if own and len(own) < len(other):
+                found += [f"`{key}`" for key in own]
+            elif own:
+                found.append(f"`{name}.*`" + (f" (not {', '.join(f'`{key}`' for key in other)})" if other else ""))
+        return ", ".join(found)
+
+    return table("| scope | style keys |", [(scope, listed(scope)) for scope in ("part", "drawing")])
+
+
 def catalogue(head, member):
     def rows(command, _):
         return table(head, [(f"`{row['name']}`", cell(row["meaning"])) for row in command.catalogues[member]])
@@ -160,6 +181,7 @@ TABLES = {
     "options of": command_options,
     "shared options of": shared_options,
     "style keys": style_keys,
+    "scopes of style keys": scopes,
     "styles": catalogue("| style | what it draws |", "styles"),
     "kinds of strokes": catalogue("| kind | what it draws |", "stroke_kinds"),
     "names": names,
@@ -188,23 +210,23 @@ def main():
     mode.add_argument("--write", action="store_true", help="write the page (the default)")
     arguments = parser.parse_args()
     command = Command(arguments.burin)
+    for page in PAGES:
+        def region(match):
+            head, kind, what, end = match.groups()
+            rows = TABLES[kind](command, what or "")
+            if len(rows) == 2 or not rows:
+                sys.exit(f"options.py: {page.name}: nothing to list for <!-- {kind} {what or ''} -->")
+            return head + "\n" + "\n".join(rows) + "\n\n" + end
 
-    def region(match):
-        head, kind, what, end = match.groups()
-        rows = TABLES[kind](command, what or "")
-        if len(rows) == 2 or not rows:
-            sys.exit(f"options.py: {PAGE.name}: nothing to list for <!-- {kind} {what or ''} -->")
-        return head + "\n" + "\n".join(rows) + "\n\n" + end
-
-    old = PAGE.read_text(encoding="utf-8")
-    new = REGION.sub(region, old)
-    missing = missing_tables(new, command)
-    if missing:
-        sys.exit("\n".join(f"options.py: {PAGE.name}: {line}" for line in missing))
-    if new != old and arguments.check:
-        sys.exit(f"options.py: {PAGE.name}: not what the command reports; run kernel/docs/options.py {arguments.burin}")
-    if new != old:
-        PAGE.write_text(new, encoding="utf-8")
+        old = page.read_text(encoding="utf-8")
+        new = REGION.sub(region, old)
+        missing = missing_tables(new, command) if page == PAGES[0] else []
+        if missing:
+            sys.exit("\n".join(f"options.py: {page.name}: {line}" for line in missing))
+        if new != old and arguments.check:
+            sys.exit(f"options.py: {page.name}: not what the command reports; run kernel/docs/options.py {arguments.burin}")
+        if new != old:
+            page.write_text(new, encoding="utf-8")
 
 
 main()
