@@ -55,6 +55,7 @@ Json json_of(const PartDifference& part, int item) {
   if (part.match.look) {
     json["color"] = Json::array({part.color_before, part.color_after});
     json["opacity"] = Json::array({part.opacity_before, part.opacity_after});
+    json["face_colors"] = part.match.face_colors;
     json["drawn"] = Json::array({part.drawn_before, part.drawn_after});
   }
   return json;

@@ -90,6 +90,7 @@ std::string what_of(const PartDifference& part) {
     add(text, fmt::format("colour {} to {}", color_text(part.color_before),
                           color_text(part.color_after)));
   }
+  if (part.match.face_colors) add(text, "other colours of faces");
   if (part.match.look && part.opacity_before != part.opacity_after) {
     add(text, fmt::format("opacity {:.3g} to {:.3g}", part.opacity_before, part.opacity_after));
   }

@@ -40,6 +40,31 @@ double shared(Box3 a, Box3 b) {
   return all > 0 ? both / all : 0;
 }
 
+/// Whether faces have the same colours, as far as areas, their places and their extent tell. Of a
+/// part that has moved, how far they are from its middle; of one of another shape, the colours.
+bool same_face_colors(const RevisionPart& was, const RevisionPart& is, const PartMatch& match) {
+  // Of the area or the size of the part: meshes of one shape differ by less.
+  constexpr double kSame = 1e-3;
+  if (was.face_colors.size() != is.face_colors.size()) return false;
+  double all = 0;
+  for (const ColorShare& one : was.face_colors) all += one.area;
+  const double size = was.pose.box.diagonal(), near = kSame * size;
+  for (std::size_t i = 0; i < was.face_colors.size(); ++i) {
+    const ColorShare &a = was.face_colors[i], &b = is.face_colors[i];
+    if (a.color != b.color) return false;
+    if (match.changed) continue;
+    if (std::abs(a.area - b.area) > kSame * all) return false;
+    if (match.moved) {
+      const double from = glm::distance(a.middle, was.pose.middle);
+      if (std::abs(from - glm::distance(b.middle, is.pose.middle)) > near) return false;
+    } else if (glm::distance(a.middle, b.middle) > near ||
+               glm::distance(a.spread, b.spread) > near * size) {
+      return false;
+    }
+  }
+  return true;
+}
+
 class Matcher {
  public:
   Matcher(std::span<const RevisionPart> before, std::span<const RevisionPart> after,
@@ -271,6 +296,8 @@ class Matcher {
         match.renamed = was.stem != is.stem;
         match.look = was.color != is.color || was.drawn != is.drawn ||
                      std::abs(was.opacity - is.opacity) >= kSameOpacity;
+        match.face_colors = !same_face_colors(was, is, match);
+        match.look = match.look || match.face_colors;
       }
       matches.push_back(match);
     }

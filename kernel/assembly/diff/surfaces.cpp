@@ -31,6 +31,39 @@ std::vector<std::string> names_of(const Part& part) {
   return names;
 }
 
+/// Where faces of a part have which colour.
+std::vector<ColorShare> color_shares(const Part& part, const ProxyMesh& proxy) {
+  if (!part.face_colors || proxy.mesh.positions.empty()) return {};
+  const TriMesh& mesh = proxy.mesh;
+  const Vec3 origin = mesh.positions.front();  // places far from that of the model lose digits
+  std::map<std::string, ColorShare> shares;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const std::int32_t color = part.face_colors->at(proxy.face_source(f));
+    ColorShare& share =
+        shares[color < 0 ? "" : lowered(part.face_colors->colors[static_cast<std::size_t>(color)])];
+    const double area = mesh.area(f);
+    Vec3 sum(0), squares(0);
+    for (const std::uint32_t v : mesh.triangles[f]) {
+      const Vec3 p = mesh.positions[v] - origin;
+      sum += p;
+      squares += p * p;
+    }
+    share.area += area;
+    share.middle += area / 3 * sum;
+    share.spread += area / 12 * (sum * sum + squares);
+  }
+  std::vector<ColorShare> out;
+  for (auto& [color, share] : shares) {
+    if (!(share.area > 0)) continue;
+    share.color = color;
+    share.middle /= share.area;
+    share.spread = share.spread / share.area - share.middle * share.middle;
+    share.middle += origin;
+    out.push_back(std::move(share));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
@@ -50,6 +83,7 @@ std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
     if (const auto surface = this->surface(i)) {
       one.pose = pose_of(surface->proxy().mesh, surface->proxy().tolerance);
       one.shape = measure(i);
+      one.face_colors = color_shares(part, surface->proxy());
     }
     if (one.pose.box.empty()) {
       one.pose.box = part.form->bounds(Mat3(1));

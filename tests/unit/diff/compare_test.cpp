@@ -62,6 +62,49 @@ TriMesh prism(int sides, double radius, double height) {
   return test::cylinder(radius, height, static_cast<std::uint32_t>(sides));
 }
 
+/// A cube with numbered faces: the colour of each, "" as the part.
+Part painted(const std::vector<std::string>& colors, bool other_way = false) {
+  TriMesh mesh = test::box({100, 0, 0}, {110, 10, 10});
+  auto faces = std::make_shared<std::vector<std::int32_t>>();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 n = mesh.normal(t);
+    const int axis = std::abs(n.x) > 0.5 ? 0 : std::abs(n.y) > 0.5 ? 1 : 2;
+    faces->push_back(2 * axis + (n[axis] > 0 ? 1 : 0));
+  }
+  if (other_way) {
+    std::ranges::reverse(mesh.triangles);
+    std::ranges::reverse(*faces);
+  }
+  Part p{"cube", "a.stl", std::make_shared<MeshForm>(std::move(mesh), nullptr, std::move(faces))};
+  p.color = "#00ff00";
+  FaceColors of;
+  for (const std::string& color : colors) {
+    of.of_face.push_back(color.empty() ? -1 : static_cast<std::int32_t>(of.colors.size()));
+    if (!color.empty()) of.colors.push_back(color);
+  }
+  p.face_colors = std::make_shared<const FaceColors>(std::move(of));
+  return p;
+}
+
+TEST(Compare, ColoursOfFacesAreTold) {
+  const std::vector<std::string> top = {"", "", "", "", "", "#ff0000"};
+  EXPECT_TRUE(compared({painted(top)}, {painted(top, true)}).same());
+  const std::vector<std::vector<std::string>> others = {{"", "", "", "", "", "#0000ff"},
+                                                        {"", "", "", "", "#ff0000", ""},
+                                                        {"", "", "", "#0000ff", "", "#ff0000"},
+                                                        {"", "", "", "", "", ""}};
+  for (const auto& other : others) {
+    const Difference found = compared({painted(top)}, {painted(other)});
+    ASSERT_EQ(found.parts.size(), 1u);
+    EXPECT_EQ(found.parts[0].changes(), std::vector<PartChange>{PartChange::Look});
+    EXPECT_TRUE(found.parts[0].match.face_colors);
+  }
+  // Opposite faces change places: the middles stay.
+  const std::vector<std::string> ring = {"#ff0000", "#ff0000", "#0000ff", "#0000ff", "", ""},
+                                 turned = {"#0000ff", "#0000ff", "#ff0000", "#ff0000", "", ""};
+  EXPECT_TRUE(compared({painted(ring)}, {painted(turned)}).parts[0].match.face_colors);
+}
+
 TEST(Compare, WhatIsWrittenInAnotherOrderIsTheSame) {
   const Difference d =
       compared({part("arm", arm()), part("ball", test::ellipsoid({5, 4, 3}, 24, 12))},

@@ -139,6 +139,28 @@ TEST(Match, LooksAndMirrorImagesAreTold) {
   EXPECT_TRUE(match({was}, {is})[0].changed) << "a mirror image is another shape";
 }
 
+TEST(Match, ColoursOfFacesAreTold) {
+  RevisionPart was = cube("a", 1, {0, 0, 0});
+  was.face_colors = {{"", 5, {0, 0, -0.1}, {0.1, 0.1, 0.1}},
+                     {"#ff0000", 1, {0, 0, 0.5}, {0.08, 0.08, 0}}};
+  RevisionPart is = was;
+  EXPECT_TRUE(match({was}, {is})[0].same());
+  is.face_colors[1].color = "#0000ff";
+  PartMatch found = match({was}, {is})[0];
+  EXPECT_TRUE(found.look && found.face_colors);
+  EXPECT_FALSE(found.renamed);
+  is = was;
+  is.face_colors[1].middle = {0, 0, -0.5};
+  EXPECT_TRUE(match({was}, {is})[0].face_colors) << "another face is red";
+  is.pose.middle.x += 2;
+  for (ColorShare& one : is.face_colors) one.middle.x += 2;
+  found = match({was}, {is})[0];
+  EXPECT_TRUE(found.moved);
+  EXPECT_FALSE(found.face_colors) << "moved, it may have been turned, too";
+  is.face_colors.clear();
+  EXPECT_TRUE(match({was}, {is})[0].face_colors);
+}
+
 TEST(Match, ToleratesWhatTheShapesAreMeasuredBy) {
   const RevisionPart was = cube("a", 1, {0, 0, 0});
   RevisionPart is = was;

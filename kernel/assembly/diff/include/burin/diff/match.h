@@ -14,6 +14,15 @@
 
 namespace burin {
 
+/// Where a part whose faces differ has one of its colours.
+struct ColorShare {
+  /// "#rrggbb"; empty: that of the part itself.
+  std::string color;
+  /// Model mm^2; of these the middle and, by axis, the mean square of the distance from it.
+  double area = 0;
+  Vec3 middle{0}, spread{0};
+};
+
 /// What matching knows of a part.
 struct RevisionPart {
   /// Names from the top of the assembly, without what tells equal ones apart as they are read
@@ -27,6 +36,8 @@ struct RevisionPart {
   std::string color;
   double opacity = 1;
   bool drawn = true;
+  /// By colour; empty where all faces look alike.
+  std::vector<ColorShare> face_colors = {};
 };
 
 inline constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
@@ -41,8 +52,10 @@ struct PartMatch {
   /// Its stem is another one.
   bool renamed = false;
   /// Its colour is another one, or how much it covers by a step of a byte or more, or it is drawn
-  /// in one revision alone.
+  /// in one revision alone, or its faces have other colours.
   bool look = false;
+  /// Its faces have other colours, or other ones of them have these.
+  bool face_colors = false;
 
   bool same() const {
     return before != kNoPart && after != kNoPart && !(moved || changed || renamed || look);
