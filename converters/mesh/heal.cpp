@@ -28,7 +28,8 @@ std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const s
                                        Diagnostics& diagnostics, const RunContext& context) {
   const auto* form = dynamic_cast<const MeshForm*>(mesh.get());
   if (!form) return mesh;
-  auto round = std::make_shared<RecognisedForm>(form->mesh(), context, form->texture());
+  auto round =
+      std::make_shared<RecognisedForm>(form->mesh(), context, form->texture(), form->faces());
   if (round->too_coarse()) {
     diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
                     fmt::format("{}: so far from the origin, coordinates have too few digits to "

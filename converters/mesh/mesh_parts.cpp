@@ -110,10 +110,7 @@ class Parts {
     }
     append(scene_.diagnostics, diagnostics, name, several_);
     if (!made.form || facets_ == Facets::Kept) return made;
-    auto round = recognised(made.form, name, scene_.diagnostics, context_);
-    // Faces that were recognised have other numbers.
-    if (round != made.form) made.colors.faces = nullptr;
-    made.form = std::move(round);
+    made.form = recognised(std::move(made.form), name, scene_.diagnostics, context_);
     return made;
   }
 

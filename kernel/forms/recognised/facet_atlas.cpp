@@ -21,7 +21,9 @@ namespace {
 struct Cell {
   std::int32_t patch = -1, facet = -1, face = -1;
   int cap = 0;
-  auto key() const { return std::tuple(face, patch, patch < 0 ? facet : -1, cap); }
+  /// The face that the input says; -1: it tells none apart.
+  std::int32_t source = -1;
+  auto key() const { return std::tuple(face, patch, patch < 0 ? facet : -1, cap, source); }
 };
 
 // Noises of the input within which a point lies on an axis.
@@ -116,7 +118,9 @@ class CellAtlas final : public Atlas {
                               : c.curve == Coedge::Curve::Straight ? glm::mix(c.a, c.b, t)
                                                                    : on_circle(c, t));
   }
-  std::int32_t source_face(std::int32_t face) const override { return cell(face).face; }
+  std::int32_t source_face(std::int32_t face) const override {
+    return cell(face).source < 0 ? cell(face).face : cell(face).source;
+  }
   /// Those inside faces, where one chart ends, have no name.
   std::int32_t source_edge(std::int32_t edge) const override {
     return at(edge) < source_edge_.size() ? source_edge_[at(edge)] : -1;
@@ -303,6 +307,7 @@ void add_cells(CellAtlas& atlas, ChartMesh& mesh, const FacetMesh& m, const Reco
     if (cell.patch >= 0) {
       cell.cap = PatchChart::cap_at(round.patches[at(cell.patch)], (p[0] + p[1] + p[2]) / 3.0);
     }
+    if (!m.source.empty()) cell.source = m.source[t];
     mesh.face.push_back(atlas.add(cell));
     for (const Vec2 uv : atlas.add_triangle(mesh.face.back(), p)) mesh.uv.push_back(uv);
   }

@@ -107,8 +107,9 @@ std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
 }  // namespace
 
 struct RecognisedForm::Impl {
-  Impl(TriMesh mesh, std::shared_ptr<const TextureMap> texture)
-      : form(std::move(mesh), std::move(texture)) {}
+  Impl(TriMesh mesh, std::shared_ptr<const TextureMap> texture,
+       std::shared_ptr<const std::vector<std::int32_t>> given)
+      : form(std::move(mesh), std::move(texture), std::move(given)) {}
 
   MeshForm form;
   std::shared_ptr<const recognised::Facets> facets;
@@ -122,8 +123,9 @@ struct RecognisedForm::Impl {
 };
 
 RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
-                               std::shared_ptr<const TextureMap> texture)
-    : impl_(std::make_shared<Impl>(std::move(mesh), std::move(texture))) {
+                               std::shared_ptr<const TextureMap> texture,
+                               std::shared_ptr<const std::vector<std::int32_t>> faces)
+    : impl_(std::make_shared<Impl>(std::move(mesh), std::move(texture), std::move(faces))) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
   impl_->facets =
@@ -137,7 +139,7 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
 }
 RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context)
-    : impl_(std::make_shared<Impl>(std::move(mesh), nullptr)) {
+    : impl_(std::make_shared<Impl>(std::move(mesh), nullptr, nullptr)) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
   recognised::KnownFacets found = recognised::known_facets(m, topology, known, context);
@@ -204,6 +206,7 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   const double tolerance = options.tolerance / stretch(placement_);
   recognised::Faces faces = recognised::find_faces(input, *impl_->facets, *impl_->round);
   recognised::FacetMesh refined = faces.mesh;
+  if (impl_->form.faces()) refined.source = *impl_->form.faces();
   recognised::refine(refined, *impl_->round, *impl_->facets, tolerance, context);
   recognised::FacetAtlas made =
       recognised::make_facet_atlas(refined, faces, impl_->facets, impl_->round, tolerance, context);

@@ -392,6 +392,7 @@ void FacetMesh::add(Triangle t, std::size_t like, const std::int32_t (&edges)[3]
   patch.push_back(from.patch[like]);
   facet.push_back(from.facet[like]);
   face.push_back(from.face[like]);
+  if (!from.source.empty()) source.push_back(from.source[like]);
   for (std::size_t k = 0; k < 3; ++k) {
     edge.push_back(edges[k]);
     normal.push_back(normals[k]);

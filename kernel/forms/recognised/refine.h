@@ -22,6 +22,8 @@ struct FacetMesh {
   TriMesh mesh;
   /// For each triangle: its patch or -1, its facet of the input, its face.
   std::vector<std::int32_t> patch, facet, face;
+  /// The face that the input says, or none at all: the input tells none apart.
+  std::vector<std::int32_t> source;
   /// For each half-edge: its record or -1, and at its origin the unit normal that MeshForm would
   /// give (where there is no patch).
   std::vector<std::int32_t> edge;

@@ -1,5 +1,9 @@
 // Colours of meshes: those of parts, and of faces where they differ.
+#include <burin/forms/recognised/recognised_form.h>
+
 #include "reading.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -143,6 +147,45 @@ TEST(Look, MaterialsOfObj) {
   const Scene lost = read("mtllib gone.mtl\n" + points + "usemtl x\n" + closed);
   EXPECT_EQ(only(lost).color, "");
   EXPECT_EQ(test::count_of(lost.diagnostics, "obj.no_materials"), 1);
+}
+
+/// Of a cylinder about z with 32 facets: a half of its wall is red, as is its top; the rest is
+/// green.
+TEST(Look, FacesThatAreRecognisedKeepTheirs) {
+  const TriMesh mesh = test::cylinder(10, 20, 32);
+  std::string text = "OFF\n" + std::to_string(mesh.positions.size()) + " " +
+                     std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const Vec3& p : mesh.positions)
+    text += fmt::format("{:.17g} {:.17g} {:.17g}\n", p.x, p.y, p.z);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& c = mesh.triangles[t];
+    const Vec3 n = mesh.normal(t);
+    const bool red = n.z > 0.5 || (std::abs(n.z) < 0.5 && n.x > 0);
+    text += fmt::format("3 {} {} {} {}\n", c[0], c[1], c[2], red ? "255 0 0" : "0 255 0");
+  }
+  const test::TempFile file("a.off", text);
+  RunContext context;
+  const Part part = only(read_mesh(file.path(), context, Facets::Recognised));
+  ASSERT_TRUE(dynamic_cast<const RecognisedForm*>(part.form.get()));
+  ASSERT_TRUE(part.face_colors);
+  ASSERT_EQ(part.face_colors->colors.size(), 1u);
+  const bool own_is_red = part.color == "#ff0000";
+  const auto surface = part.form->realise({.tolerance = 0.01}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  EXPECT_GT(proxy.mesh.triangles.size(), mesh.triangles.size());
+  double red = 0, green = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    const bool own = part.face_colors->at(proxy.face_source(f)) < 0;
+    const Vec3 n = proxy.mesh.normal(f);
+    (own == own_is_red ? red : green) += proxy.mesh.area(f);
+    if (n.z < -0.5 || n.x < -0.2) {
+      EXPECT_NE(own, own_is_red) << f;
+    }
+    if (n.z > 0.5 || n.x > 0.2) {
+      EXPECT_EQ(own, own_is_red) << f;
+    }
+  }
+  EXPECT_NEAR(red / green, 1, 1e-3);
 }
 
 TEST(Look, VerticesOfObj) {

@@ -30,6 +30,8 @@ class MeshForm final : public Form {
 
   const TriMesh& mesh() const { return mesh_; }
   const std::shared_ptr<const TextureMap>& texture() const { return texture_; }
+  /// One number a triangle; null: the input tells none apart.
+  const std::shared_ptr<const std::vector<std::int32_t>>& faces() const { return faces_; }
   /// Of the vertices: coarse facets, when rounded, bulge beyond it by up to 0.12 of an edge.
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace burin {
 
@@ -33,9 +34,11 @@ struct RecognisedFaces {
 class RecognisedForm final : public Form {
  public:
   /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises; u and v of `texture`
-  /// come before those of the surfaces that are found. Cost: 2 s per million triangles.
+  /// come before those of the surfaces that are found, and `faces` (one number from 0 a triangle)
+  /// before their faces: such as one round surface in two colours. Cost: 2 s per million triangles.
   RecognisedForm(TriMesh mesh, const RunContext& context,
-                 std::shared_ptr<const TextureMap> texture = nullptr);
+                 std::shared_ptr<const TextureMap> texture = nullptr,
+                 std::shared_ptr<const std::vector<std::int32_t>> faces = nullptr);
   /// The same of a mesh of which it is known what its facets stand for: runs are looked for among
   /// unknown ones alone. What a chain of cones stands for is judged as above.
   RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context);
