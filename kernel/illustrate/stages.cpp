@@ -60,16 +60,13 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
 // What parts the sheet where parts have flat colours.
 RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
                              const Camera& camera, bool shadows) {
-  // Cosine to the light up to which a part of one tone counts as unlit, as the darkest of five
-  // steps does: where light only grazes, the facets of round surfaces shade each other.
-  constexpr double kGrazing = 0.2;
   RegionOptions options{.found = feature_options(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const FillOptions& fill = part_styles.style(i).fill;
     const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
     const bool toned = part_styles.drawn(i) && shown && fill.steps > 1;
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
-    if (shadows && levels.empty()) levels = {kGrazing};
+    if (shadows && levels.empty()) levels = {tone::kUnlit};
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
     options.colors.push_back(part_styles.drawn(i) && fill.color == "part" && fill.opacity > 0
                                  ? scene.parts[i].face_colors

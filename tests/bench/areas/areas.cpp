@@ -148,7 +148,7 @@ void run(const Task& asked) {
 
   const Referee referee(surfaces_of(scene, camera, style, context), camera, {}, context);
   Isophotes light{tone::to_light(camera, style.tone), even_levels(std::max<std::size_t>(steps, 1))};
-  if (style.shadow.cast && light.levels.empty()) light.levels = {0.2};  // as in drawings
+  if (style.shadow.cast && light.levels.empty()) light.levels = {tone::kUnlit};
   AreaRule rule{drawing.areas, std::vector<Isophotes>(scene.parts.size(), light)};
   if (style.shadow.cast) rule.shadows = light.light;
   const AreaWitnesses witnesses{referee, referee};

@@ -34,6 +34,11 @@ struct Law {
 /// From the model to the light in model space, as long as it was given.
 Vec3 to_light(const Camera& camera, const ToneOptions& options);
 
+/// Cosine to the light up to which a part of one flat colour counts as unlit where shadows are
+/// cast, as the darkest of five steps does: where light only grazes, the facets of round surfaces
+/// shade each other.
+inline constexpr double kUnlit = 0.2;
+
 /// All laws, the usual one first; those that were added last.
 std::span<const Law> catalogue();
 
