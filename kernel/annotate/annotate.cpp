@@ -308,8 +308,8 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
 }
 
 void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
-              const Annotations& wanted, const CalloutOptions& style, const RunContext& context) {
-  const Annotations annotations = detail::shown_in(drawing, wanted);
+              const Annotations& annotations, const CalloutOptions& style,
+              const RunContext& context) {
   drawing.items = annotations.items;
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);

@@ -1,11 +1,10 @@
 #include "tables.h"
 
+#include <burin/annotate/legend_box.h>
 #include <burin/drawing/font.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,20 +67,6 @@ bool Tables::fit(const Annotations& annotations) const {
   return (list || !annotations.parts_list) && (legend || annotations.legend.empty());
 }
 
-Annotations shown_in(const Drawing& drawing, Annotations annotations) {
-  std::set<std::int32_t> seen;
-  for (const Area& area : drawing.areas) seen.insert(area.part);
-  const auto is_seen = [&](const LegendRow& row) {
-    return std::ranges::any_of(annotations.items, [&](const DrawingItem& item) {
-      return item.name == row.name && std::ranges::any_of(item.parts, [&](std::int32_t part) {
-               return seen.contains(part);
-             });
-    });
-  };
-  std::erase_if(annotations.legend, [&](const LegendRow& row) { return !is_seen(row); });
-  return annotations;
-}
-
 Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame) {
   Tables tables{{}, {}, frame};
   if (annotations.parts_list) tables.list = plan_list(annotations, style, frame);
@@ -119,10 +104,15 @@ std::optional<Box2> parts_list_box(const Annotations& annotations, const Callout
   return plan ? std::optional(plan->box) : std::nullopt;
 }
 
+std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOptions& style,
+                               const Paper& paper) {
+  const auto plan = tables_on(paper, annotations, style).legend;
+  return plan ? std::optional(plan->box) : std::nullopt;
+}
+
 void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
   const Paper paper{drawing.paper_width, drawing.paper_height};
-  const Annotations shown = detail::shown_in(drawing, annotations);
-  detail::lay_tables(tables_on(paper, shown, style), shown, style, drawing);
+  detail::lay_tables(tables_on(paper, annotations, style), annotations, style, drawing);
 }
 
 }  // namespace burin

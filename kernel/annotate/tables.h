@@ -21,9 +21,6 @@ struct Tables {
   bool fit(const Annotations& annotations) const;
 };
 
-/// Without the rows of the legend whose items have no area in the drawing.
-Annotations shown_in(const Drawing& drawing, Annotations annotations);
-
 Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame);
 
 /// Lays them over a drawing; tells of what has no room, and of characters that the font has not.

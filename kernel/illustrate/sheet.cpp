@@ -1,4 +1,5 @@
 #include <burin/drawing/views.h>
+#include <burin/illustrate/legend.h>
 #include <burin/illustrate/sheet.h>
 
 #include "fill/hatch_areas.h"
@@ -91,7 +92,7 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
     all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
   }
   if (options.annotations) {
-    lay_tables(*all, *options.annotations, style.callout);
+    lay_tables(*all, with_seen_rows(scene, style, options, all->areas), style.callout);
     detail::hatch_areas(scene, {scene, style, options}, "legend", *all, context);
   }
   return *std::move(all);

@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/plugin_error.h>
 #include <burin/feature/feature.h>
+#include <burin/illustrate/legend.h>
 #include <burin/section/hatch_cuts.h>
 #include <burin/tone/catalogue.h>
 #include <burin/verify/verify.h>
@@ -331,7 +332,8 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
-    annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+    annotate(drawing, labels.seen, labels.glass,
+             with_seen_rows(scene, style, options, drawing.areas), style.callout, context);
     hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <set>
 #include <string>
@@ -53,9 +54,14 @@ std::vector<std::string> colors_of(const Scene& scene) {
   return colors;
 }
 
-double opacity_of(const Part& part, const FillOptions& fill, bool transparent) {
+/// "#rrggbb" and, of glass, two digits of opacity behind it.
+constexpr std::size_t kOpaqueColor = 7;
+bool says_opacity(const std::string& color) { return color.size() > kOpaqueColor; }
+
+/// `own`: of the face.
+double opacity_of(const Part& part, double own, const FillOptions& fill, bool transparent) {
   if (!transparent) return fill.opacity;
-  return fill.opacity * (part.opacity < 1 ? part.opacity : kGlass);
+  return fill.opacity * (own < 1 ? own : part.opacity < 1 ? part.opacity : kGlass);
 }
 
 /// From 0, the darkest tone, to 1. Without steps of their own parts have two where shadows are
@@ -105,6 +111,29 @@ std::string Fills::color(std::size_t part) const {
   return fill.color == "part" ? own_[part] : fill.color;
 }
 
+std::string Fills::color(const Area& area) const {
+  const auto part = static_cast<std::size_t>(area.part);
+  if (area.fill.empty() || part_styles_.style(part).fill.color != "part") return color(part);
+  if (area.role.empty()) return area.fill;
+  for (const std::string& one : colors(part)) {
+    Area painted{.part = area.part, .rings = {}};
+    set_face_color(one, painted);
+    const std::string base = painted.fill;
+    paint(painted);
+    if (painted.fill == area.fill) return base;
+  }
+  return color(part);
+}
+
+std::vector<std::string> Fills::colors(std::size_t part) const {
+  std::vector<std::string> out{color(part)};
+  const auto& faces = scene_.parts[part].face_colors;
+  if (faces && part_styles_.style(part).fill.color == "part") {
+    out.insert(out.end(), faces->colors.begin(), faces->colors.end());
+  }
+  return out;
+}
+
 void Fills::paint(Area& area) const {
   const auto part = static_cast<std::size_t>(area.part);
   const FillOptions& fill = part_styles_.style(part).fill;
@@ -116,7 +145,7 @@ void Fills::paint(Area& area) const {
     return;
   }
   const double light = light_of(fill, area.tone);
-  area.opacity = opacity_of(scene_.parts[part], fill, part_styles_.transparent(part));
+  area.opacity = opacity_of(scene_.parts[part], area.opacity, fill, part_styles_.transparent(part));
   if (!fill.ink.empty()) {
     area.ink = fill.ink;
     area.tint = 1 - light * (1 - fill.tint);
@@ -124,6 +153,19 @@ void Fills::paint(Area& area) const {
   } else if (light < 1) {
     area.fill = to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
   }
+}
+
+void set_face_color(const std::string& color, Area& area) {
+  area.fill = color.substr(0, kOpaqueColor);
+  if (!says_opacity(color)) return;
+  int share = 255;
+  std::from_chars(color.data() + kOpaqueColor, color.data() + color.size(), share, 16);
+  area.opacity = std::clamp(share, 0, 255) / 255.0;
+}
+
+bool has_solid_glass(const Part& part) {
+  return part.opacity >= 1 && part.face_colors &&
+         std::ranges::any_of(part.face_colors->colors, says_opacity);
 }
 
 bool nests(const FillOptions& fill) {
@@ -158,15 +200,19 @@ void shade_areas(const Style& style, std::vector<Area>& areas) {
   }
 }
 
+void settle_on(const Rgb& paper, Area& area) {
+  const auto fill = rgb_of(area.fill);
+  if (fill && area.opacity >= 1) return;
+  area.fill = to_text(fill ? over(*fill, area.opacity, paper) : paper);
+  area.opacity = 1;
+}
+
 void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
                 std::vector<Area>& areas) {
   const Rgb paper = rgb_of(style.sheet.paper).value_or(kWhite);
   for (Area& area : areas) {
     if (part_styles.transparent(static_cast<std::size_t>(area.part))) continue;
-    const auto fill = rgb_of(area.fill);
-    if (fill && area.opacity >= 1) continue;
-    area.fill = to_text(fill ? over(*fill, area.opacity, paper) : paper);
-    area.opacity = 1;
+    settle_on(paper, area);
   }
   shadow.fill = shadow_color(style);
   areas.insert(areas.begin(), std::move(shadow));

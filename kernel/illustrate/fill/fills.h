@@ -23,8 +23,15 @@ class Fills {
 
   /// "#rrggbb" in full light and, of an ink, all of it; empty where the part has none.
   std::string color(std::size_t part) const;
-  /// Gives an area the colour of its part and tone.
+  /// The same of an area: of faces that are coloured otherwise than their part. It is not painted
+  /// yet, or a square of the legend.
+  std::string color(const Area& area) const;
+  /// Gives an area the colour of its part and tone, and its opacity: in a part that is looked
+  /// through that of a face of glass is its own.
   void paint(Area& area) const;
+  /// All colours that a part and its faces may have in full light, before inks, as `FaceColors` has
+  /// them; its own first.
+  std::vector<std::string> colors(std::size_t part) const;
 
  private:
   const Scene& scene_;
@@ -32,6 +39,13 @@ class Fills {
   std::vector<std::string> own_;
   Rgb paper_;
 };
+
+/// Gives an area, before it is painted, a colour of `FaceColors`: its fill, and its opacity where
+/// that is of glass.
+void set_face_color(const std::string& color, Area& area);
+
+/// Whether faces of a part are of glass that is drawn as solid, since the part as a whole is.
+bool has_solid_glass(const Part& part);
 
 /// Whether the area of a tone holds the darker ones, which are painted over it.
 bool nests(const FillOptions& fill);
@@ -45,6 +59,10 @@ void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& dra
 
 /// Gives the shade of parts without a colour the colour of shadows.
 void shade_areas(const Style& style, std::vector<Area>& areas);
+
+/// Mixes the colour of an area, or none, with that of the paper, so that nothing is seen through
+/// it.
+void settle_on(const Rgb& paper, Area& area);
 
 /// Lays a shadow below all areas, in its colour. It is not seen through parts that are opaque, even
 /// if their colour is not, or they have none: that is mixed with the paper.

@@ -3,30 +3,117 @@
 #include "fills.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace burin {
+namespace {
+
+using detail::Fills;
+using detail::PartStyles;
+
+/// The fills that areas of a part have in a drawing, by what stands for them in a legend.
+class Shades {
+ public:
+  Shades(const Scene& scene, const Style& style, const IllustrateOptions& options)
+      : part_styles_(scene, style, options),
+        fills_(scene, part_styles_),
+        paper_(rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255})),
+        ground_(style.shadow.ground) {}
+
+  bool lists(std::size_t part) const {
+    return part_styles_.drawn(part) && part_styles_.style(part).fill.legend;
+  }
+  /// The squares of a part, that of the part itself first; those without a colour are left out.
+  std::vector<Area> squares(std::size_t part) const {
+    std::vector<Area> out;
+    for (const std::string& color : fills_.colors(part)) {
+      Area square = painted(part, color, -1);
+      if (!square.fill.empty()) out.push_back(std::move(square));
+    }
+    return out;
+  }
+  /// All that a square of a part stands for.
+  std::set<std::string> of(std::size_t part, const Area& square) const {
+    std::set<std::string> out;
+    for (const std::string& color : fills_.colors(part)) {
+      if (painted(part, color, -1).fill != square.fill) continue;
+      const int steps = std::max(2, part_styles_.style(part).fill.steps);
+      for (int tone = -1; tone < steps; ++tone) {
+        Area area = painted(part, color, tone);
+        out.insert(area.fill);
+        if (!ground_ || part_styles_.transparent(part)) continue;
+        detail::settle_on(paper_, area);
+        out.insert(area.fill);
+      }
+    }
+    return out;
+  }
+
+ private:
+  Area painted(std::size_t part, const std::string& color, int tone) const {
+    Area area{.part = static_cast<std::int32_t>(part), .tone = tone, .rings = {}};
+    detail::set_face_color(color, area);
+    fills_.paint(area);
+    return area;
+  }
+
+  PartStyles part_styles_;
+  Fills fills_;
+  Rgb paper_;
+  bool ground_;
+};
+
+/// Whether any area is one that a row stands for.
+bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
+             std::span<const Area> areas) {
+  std::set<std::int32_t> parts;
+  for (const DrawingItem& item : items) {
+    if (item.name == row.name) parts.insert(item.parts.begin(), item.parts.end());
+  }
+  std::map<std::int32_t, std::set<std::string>> known;
+  return std::ranges::any_of(areas, [&](const Area& area) {
+    if (!area.role.empty() || area.fill.empty() || !parts.contains(area.part)) return false;
+    const auto part = static_cast<std::size_t>(area.part);
+    const auto [at, fresh] = known.try_emplace(area.part);
+    if (fresh && shades.lists(part)) at->second = shades.of(part, row.square);
+    return at->second.contains(area.fill);
+  });
+}
+
+}  // namespace
 
 std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    const IllustrateOptions& options,
                                    std::span<const DrawingItem> items) {
-  const detail::PartStyles part_styles(scene, style, options);
-  const detail::Fills fills(scene, part_styles);
+  const Shades shades(scene, style, options);
   std::vector<LegendRow> rows;
   for (const DrawingItem& item : items) {
     for (const std::int32_t part : item.parts) {
       const auto i = static_cast<std::size_t>(part);
-      if (!part_styles.drawn(i) || !part_styles.style(i).fill.legend) continue;
-      LegendRow row{item.number, item.name, {.part = part, .rings = {}}};
-      fills.paint(row.square);
-      if (row.square.fill.empty()) continue;
-      const bool known = std::ranges::any_of(rows, [&](const LegendRow& other) {
-        return other.name == row.name && other.square.fill == row.square.fill;
-      });
-      if (!known) rows.push_back(std::move(row));
+      if (!shades.lists(i)) continue;
+      for (Area& square : shades.squares(i)) {
+        const bool known = std::ranges::any_of(rows, [&](const LegendRow& other) {
+          return other.name == item.name && other.square.fill == square.fill;
+        });
+        if (!known) rows.push_back({item.number, item.name, std::move(square)});
+      }
     }
   }
   return rows;
+}
+
+Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
+                           std::span<const Area> areas) {
+  if (!options.annotations) return {};
+  Annotations out = *options.annotations;
+  if (out.legend.empty()) return out;
+  const Shades shades(scene, style, options);
+  std::erase_if(out.legend,
+                [&](const LegendRow& row) { return !is_seen(row, out.items, shades, areas); });
+  return out;
 }
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 /// The legend of colours in a corner of the sheet.
 
 #include <burin/annotate/annotate.h>
+#include <burin/annotate/legend_box.h>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +26,7 @@ Annotations three_colors() {
 
 Drawing laid(const Annotations& over, const CalloutOptions& style = {}) {
   Drawing drawing;
-  for (const std::int32_t part : {0, 2, 3}) drawing.areas.push_back({.part = part, .rings = {}});
   lay_tables(drawing, over, style);
-  drawing.areas.erase(drawing.areas.begin(), drawing.areas.begin() + 3);
   return drawing;
 }
 
@@ -73,6 +72,7 @@ TEST(Legend, StandsInTheCornerThatIsNamedAndLeavesTheRest) {
     EXPECT_EQ(at.x > 148.5, right);
     EXPECT_EQ(at.y > 105, top);
     EXPECT_FALSE(rest.contains(at));
+    EXPECT_TRUE(legend_box(three_colors(), style, paper).value().contains(at));
     EXPECT_GT(rest.size().x * rest.size().y, 0.7 * 277 * 190);
   }
 }
@@ -88,21 +88,11 @@ TEST(Legend, StandsBesideTheListOfParts) {
   }
 }
 
-TEST(Legend, HasWhatIsSeen) {
-  Drawing drawing;
-  drawing.areas.push_back({.part = 2, .rings = {}});
-  lay_tables(drawing, three_colors(), {});
-  ASSERT_EQ(drawing.layers.size(), 1u);
-  ASSERT_EQ(drawing.layers[0].texts.size(), 1u);
-  EXPECT_EQ(drawing.layers[0].texts[0].text, "bolt") << "a copy of it is";
-}
-
 TEST(Legend, WithoutRoomIsTold) {
   Drawing drawing;
-  drawing.areas.push_back({.part = 0, .rings = {}});
   drawing.paper_width = drawing.paper_height = 30;
   lay_tables(drawing, three_colors(), {});
-  EXPECT_EQ(drawing.areas.size(), 1u);
+  EXPECT_TRUE(drawing.areas.empty());
   ASSERT_EQ(drawing.diagnostics.entries().size(), 1u);
   EXPECT_EQ(drawing.diagnostics.entries()[0].code, "legend.no_room");
 }

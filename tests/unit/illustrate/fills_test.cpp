@@ -230,6 +230,40 @@ TEST(Fills, TheLegendHasCopiesOnceAndLeavesOutWhatItIsToldTo) {
   EXPECT_TRUE(legend_rows(scene, builtin_style("outline"), {}, items).empty());
 }
 
+/// Names and colours of a legend of a drawing of one part.
+std::vector<std::string> seen_colors(const Scene& scene, const Style& style) {
+  const std::vector<DrawingItem> items = {{1, "plate", {0}, "", ""}};
+  IllustrateOptions options;
+  options.annotations.emplace();
+  options.annotations->items = items;
+  options.annotations->legend = legend_rows(scene, style, options, items);
+  std::vector<std::string> out;
+  const Drawing drawing = draw(scene, style);
+  for (const LegendRow& row : with_seen_rows(scene, style, options, drawing.areas).legend) {
+    EXPECT_EQ(row.name, "plate");
+    out.push_back(row.square.fill);
+  }
+  return out;
+}
+
+TEST(Fills, TheLegendHasColoursOfFacesAndThoseThatAreSeenAlone) {
+  Scene scene = painted_plate();
+  using Strings = std::vector<std::string>;
+  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#00ff00", "#ff0000", "#0000ff"}));
+  EXPECT_EQ(seen_colors(scene, builtin_style("cel")), (Strings{"#00ff00", "#ff0000", "#0000ff"}))
+      << "in whatever tone";
+  // All of the front in colours of its own: the green of the part is at its back alone.
+  scene.parts[0].face_colors =
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff"}, {0, 0, 1}});
+  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#ff0000", "#0000ff"}));
+  Style style = builtin_style("flat");
+  style.fill.opacity = 0.5;
+  style.shadow.ground = true;  // mixes colours with the paper
+  EXPECT_EQ(seen_colors(scene, style), (Strings{"#ff0000", "#0000ff"}));
+  style.fill.ink = "Blue";
+  EXPECT_EQ(seen_colors(scene, style).size(), 2u);
+}
+
 /// Paper mm of all lines of the layer of hatching.
 double hatched(const Drawing& drawing) {
   double sum = 0;

@@ -10,10 +10,16 @@
 
 namespace burin {
 
-/// A row for each colour of an item: those of parts that are drawn with a flat colour and whose
-/// style has `fill.legend`; items of one name and colour once. `options`: its `part_styles` count.
+/// A row for each colour that an item may show: those of parts that are drawn with a flat colour
+/// and whose style has `fill.legend`, and of their faces; items of one name and colour once.
+/// `options`: its `part_styles` count.
 std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    const IllustrateOptions& options,
                                    std::span<const DrawingItem> items);
+
+/// What `options` lays over a drawing, without rows of the legend whose colour none of the areas
+/// has, in any tone. Where there are no annotations, none.
+Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
+                           std::span<const Area> areas);
 
 }  // namespace burin

@@ -1,0 +1,18 @@
+#pragma once
+/// Where a legend stands on its sheet.
+
+#include <burin/annotate/annotate.h>
+#include <burin/annotate/options.h>
+#include <burin/base/box.h>
+#include <burin/camera/paper.h>
+
+#include <optional>
+
+namespace burin {
+
+/// The box of the legend that the annotations have, paper mm; nothing where there is none or it has
+/// no room.
+std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOptions& style,
+                               const Paper& paper);
+
+}  // namespace burin
