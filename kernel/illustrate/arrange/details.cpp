@@ -114,13 +114,18 @@ std::optional<Strip> strip_at(bool right, const std::vector<double>& diameters, 
   return strip;
 }
 
-/// Beside what is taken of the corner: above it.
-std::optional<Strip> strip_above(const Box2& taken, const std::vector<double>& diameters,
-                                 double caption, const Box2& frame, const Box2& whole) {
+/// Above the parts list, clear of the legend.
+std::optional<Strip> strip_above_list(const std::vector<double>& diameters, double caption,
+                                      const DetailRoom& room) {
+  // A list that leaves what is beside it leaves what is above it, too.
+  const Box2 &frame = room.frame, &whole = room.whole;
+  if (!room.list || frame.max.x >= whole.max.x) return std::nullopt;
   Box2 column = whole;
-  column.min.y = taken.max.y + kGap;
+  column.min.y = room.list->max.y + kGap;
   auto strip = strip_at(true, diameters, caption, column);
   if (!strip) return std::nullopt;
+  const Box2 needed{{strip->rest.max.x, room.list->max.y}, whole.max};
+  if (room.legend && room.legend->overlaps(needed)) return std::nullopt;
   strip->rest = {frame.min, {std::min(frame.max.x, strip->rest.max.x), frame.max.y}};
   return strip;
 }
@@ -152,8 +157,8 @@ std::vector<PlannedDetail> plan_details(const Scene& scene, const std::vector<De
   return planned;
 }
 
-Box2 place_details(std::vector<PlannedDetail>& details, double caption, const Box2& frame,
-                   const std::optional<Box2>& taken, const Box2& whole) {
+Box2 place_details(std::vector<PlannedDetail>& details, double caption, const DetailRoom& room) {
+  const Box2& frame = room.frame;
   if (details.empty()) return frame;
   std::vector<double> diameters;
   for (const PlannedDetail& detail : details) diameters.push_back(2 * detail.radius * detail.scale);
@@ -167,10 +172,7 @@ Box2 place_details(std::vector<PlannedDetail>& details, double caption, const Bo
   };
   look(strip_at(true, diameters, caption, frame));
   look(strip_at(false, diameters, caption, frame));
-  // A list that leaves what is beside it leaves what is above it, too.
-  if (taken && frame.max.x < whole.max.x) {
-    look(strip_above(*taken, diameters, caption, frame, whole));
-  }
+  look(strip_above_list(diameters, caption, room));
   if (!best) {
     throw UsageError(fmt::format(
         "{}details of up to {:.0f} mm have no room beside the drawing on a sheet of which "

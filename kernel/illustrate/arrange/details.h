@@ -29,11 +29,16 @@ struct PlannedDetail {
 std::vector<PlannedDetail> plan_details(const Scene& scene, const std::vector<DetailView>& details,
                                         const Mat3& axes, double shorter_side);
 
-/// Gives details their places along the right or the lower side of the frame, whichever leaves
-/// more; returns what is left. `taken`: a box in the lower right corner of the sheet's frame, such
-/// as a parts list, above which they may stand; `frame` is what it leaves. Throws UsageError where
-/// they have no room.
-Box2 place_details(std::vector<PlannedDetail>& details, double caption, const Box2& frame,
-                   const std::optional<Box2>& taken, const Box2& whole);
+/// Where details may stand, paper mm.
+struct DetailRoom {
+  /// What list and legend leave of the sheet without its margin, and all of that.
+  Box2 frame, whole;
+  /// The parts list, in the lower right corner of the whole, and the legend.
+  std::optional<Box2> list{}, legend{};
+};
+
+/// Gives details their places along the right or the lower side of the frame, or above the list,
+/// whichever leaves most; returns what is left. Throws UsageError where they have no room.
+Box2 place_details(std::vector<PlannedDetail>& details, double caption, const DetailRoom& room);
 
 }  // namespace burin::detail

@@ -1,4 +1,5 @@
 #include <burin/annotate/details.h>
+#include <burin/annotate/legend_box.h>
 #include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
 #include <burin/illustrate/ground.h>
@@ -105,8 +106,10 @@ class SheetPlanner {
     }
     if (illustration.illustrate.annotations) {
       const Annotations& over = *illustration.illustrate.annotations;
-      frame_ = beside_tables(over, illustration.style.callout, illustration.view.paper);
-      list_ = parts_list_box(over, illustration.style.callout, illustration.view.paper);
+      const CalloutOptions& style = illustration.style.callout;
+      frame_ = beside_tables(over, style, illustration.view.paper);
+      list_ = parts_list_box(over, style, illustration.view.paper);
+      legend_ = legend_box(over, style, illustration.view.paper);
     }
   }
 
@@ -114,13 +117,14 @@ class SheetPlanner {
     const Vec2 free = frame_.size();
     details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_camera()),
                                     std::min(free.x, free.y));
-    frame_ =
-        detail::place_details(details_, detail_caption(illustration_.style.callout), frame_, list_,
-                              inside(illustration_.view.paper, illustration_.sheet.margin));
-    if (illustration_.views.empty()) {
-      place_one();
-    } else {
-      place_grid();
+    frame_ = detail::place_details(
+        details_, detail_caption(illustration_.style.callout),
+        {frame_, inside(illustration_.view.paper, illustration_.sheet.margin), list_, legend_});
+    place_views();
+    if (!circles_stay()) {
+      with_circles_ = true;
+      sheet_.views.clear();
+      place_views();
     }
     for (const detail::PlannedDetail& detail : details_) add_detail(detail);
     report_small_view();
@@ -128,7 +132,38 @@ class SheetPlanner {
   }
 
  private:
-  Camera::ExtentFn extent() const { return extent_of(scene_, illustration_); }
+  /// With the places that are drawn again where their circles need room.
+  Camera::ExtentFn extent() const {
+    return [this, of = extent_of(scene_, illustration_)](const Mat3& axes) {
+      Box3 box = of(axes);
+      if (!with_circles_) return box;
+      for (const detail::PlannedDetail& detail : details_) {
+        const Vec3 at = axes * detail.at;
+        box.add({at - detail.radius, at + detail.radius});
+      }
+      return box;
+    };
+  }
+
+  void place_views() {
+    if (illustration_.views.empty()) {
+      place_one();
+    } else {
+      place_grid();
+    }
+  }
+
+  /// Whether the circles about what is drawn again lie in the box of their view.
+  bool circles_stay() const {
+    const PlacedView& main = sheet_.views.front();
+    return std::ranges::all_of(details_, [&](const detail::PlannedDetail& detail) {
+      const Vec2 at = main.camera.to_paper(detail.at);
+      const double radius = detail.radius * main.camera.scale_at(detail.at);
+      const Box2 &box = main.box, circle{at - radius, at + radius};
+      return glm::all(glm::greaterThanEqual(circle.min, box.min)) &&
+             glm::all(glm::lessThanEqual(circle.max, box.max));
+    });
+  }
 
   ViewOptions options_of(const std::string& name) const {
     ViewOptions view = illustration_.view;
@@ -205,7 +240,7 @@ class SheetPlanner {
   void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
-    const Vec3 size = extent()(axes_of(main)).size();
+    const Vec3 size = extent_of(scene_, illustration_)(axes_of(main)).size();
     const double drawn = main.scale() * std::max(size.x, size.y);
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });
@@ -243,7 +278,8 @@ class SheetPlanner {
   Scene& scene_;
   const Illustration& illustration_;
   Box2 frame_;
-  std::optional<Box2> list_;
+  std::optional<Box2> list_, legend_;
+  bool with_circles_ = false;
   std::vector<detail::PlannedDetail> details_;
   SheetOfViews sheet_;
 };

@@ -1,4 +1,5 @@
 // What the kernel makes of an illustration, without a file or an option.
+#include <burin/annotate/legend_box.h>
 #include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
@@ -151,6 +152,112 @@ TEST(Arrange, ViewsStandAtOneScale) {
   EXPECT_EQ(sheet.details[0].letter, "A");
   illustration.sheet.fits = true;
   EXPECT_THROW(plan_sheet(scene, illustration), UsageError);
+}
+
+/// Whether a disc lies in a box.
+bool holds(const Box2& box, const Disc& disc) {
+  const double radius = disc.radius - 1e-6;
+  return box.contains(disc.center - radius) && box.contains(disc.center + radius);
+}
+
+TEST(Arrange, TheCircleOfADetailStaysInItsView) {
+  for (const bool legend : {false, true}) {
+    for (const bool list : {false, true}) {
+      Scene scene = stack();
+      Illustration illustration;
+      illustration.style = builtin_style("flat");
+      illustration.legend = legend;
+      illustration.parts_list = list;
+      // A corner of the plate, and more than all of it.
+      illustration.details = {{.at = {40, 0, 0}, .radius = 8},
+                              {.at = {0, 0, 0}, .radius = 30, .scale = 1}};
+      RunContext context;
+      arrange_parts(scene, illustration, context);
+      const SheetOfViews sheet = plan_sheet(scene, illustration);
+      ASSERT_EQ(sheet.details.size(), 2U);
+      const Box2 paper = inside(illustration.view.paper, illustration.sheet.margin);
+      for (const DetailMark& mark : sheet.details) {
+        EXPECT_TRUE(holds(sheet.views[0].box, mark.from)) << legend << list;
+        EXPECT_TRUE(holds(paper, mark.to)) << legend << list;
+      }
+    }
+  }
+}
+
+TEST(Arrange, ADetailAboveTheListKeepsClearOfTheLegend) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.legend = illustration.parts_list = true;
+  illustration.style.callout.list_height = 8;
+  illustration.details = {{.select = {"bolt"}, .scale = 5}};
+  for (const Corner corner : {Corner::BottomRight, Corner::TopRight}) {
+    illustration.style.callout.legend = corner;
+    RunContext context;
+    Scene one = scene;
+    Illustration plan = illustration;
+    arrange_parts(one, plan, context);
+    const SheetOfViews sheet = plan_sheet(one, plan);
+    const Annotations& over = *plan.illustrate.annotations;
+    const auto list = parts_list_box(over, plan.style.callout, plan.view.paper),
+               legend = legend_box(over, plan.style.callout, plan.view.paper);
+    ASSERT_TRUE(list && legend);
+    const Disc disc = sheet.details.at(0).to;
+    const Box2 box{disc.center - disc.radius, disc.center + disc.radius};
+    EXPECT_FALSE(legend->overlaps(box));
+    EXPECT_FALSE(list->overlaps(box));
+  }
+}
+
+/// A case that hides twenty parts.
+Scene full_case() {
+  Scene scene;
+  scene.parts = {part("case", {0, 0, 0}, {120, 40, 15})};
+  for (int i = 0; i < 20; ++i) {
+    scene.parts.push_back(part("inner " + std::string(1, static_cast<char>('a' + i)),
+                               {5 + 5.0 * i, 10, 2}, {8 + 5.0 * i, 20, 10}));
+  }
+  return scene;
+}
+
+TEST(Arrange, ASheetThatFitsHasRoomForTheRowsOfTheLegendThatAreSeenAlone) {
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.sheet.fits = true;
+  illustration.legend = true;
+  illustration.view.direction = {0, -1, 0};
+  RunContext context;
+  const Drawing drawing = illustrate(full_case(), illustration, context);
+  Scene alone = full_case();
+  alone.parts.resize(1);
+  const Drawing wanted = illustrate(alone, illustration, context);
+  EXPECT_DOUBLE_EQ(drawing.paper_width, wanted.paper_width);
+  EXPECT_DOUBLE_EQ(drawing.paper_height, wanted.paper_height);
+  const auto squares = [](const Drawing& d) {
+    return std::ranges::count(d.areas, std::string("legend"), &Area::role);
+  };
+  EXPECT_EQ(squares(drawing), 1);
+  EXPECT_EQ(squares(wanted), 1);
+}
+
+TEST(Arrange, ALegendThatHasRoomForWhatIsSeenKeepsClearOfTheDrawing) {
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.style.callout.list_height = 12;  // twenty rows have none
+  illustration.legend = true;
+  illustration.view.direction = {0, 0, 1};
+  illustration.view.up = {0, 1, 0};
+  RunContext context;
+  const Drawing drawing = illustrate(full_case(), illustration, context);
+  Box2 legend, parts;
+  for (const Area& area : drawing.areas) {
+    for (const auto& ring : area.rings) {
+      for (const Vec2& p : ring) (area.role.empty() ? parts : legend).add(p);
+    }
+  }
+  ASSERT_FALSE(legend.empty());
+  EXPECT_FALSE(legend.overlaps(parts));
+  EXPECT_FALSE(tells(drawing.diagnostics, "legend.no_room"));
 }
 
 TEST(Arrange, OneCallDrawsWhatTheThreeDo) {
