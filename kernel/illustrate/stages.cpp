@@ -58,6 +58,23 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
   return any ? out : std::vector<Isophotes>();
 }
 
+// Whether lines over regions have the colour of these.
+bool hatches_in_fill(const FillOptions& fill) {
+  return fill.hatch.lines != FillHatch::Lines::None && fill.hatch.color == "fill";
+}
+
+// The colours of faces of parts that show them.
+std::vector<std::shared_ptr<const FaceColors>> face_colors(const Scene& scene,
+                                                           const PartStyles& part_styles) {
+  std::vector<std::shared_ptr<const FaceColors>> out;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const FillOptions& fill = part_styles.style(i).fill;
+    const bool by_face = fill.color == "part" && (fill.opacity > 0 || hatches_in_fill(fill));
+    out.push_back(part_styles.drawn(i) && by_face ? scene.parts[i].face_colors : nullptr);
+  }
+  return out;
+}
+
 // What parts the sheet where parts have flat colours.
 RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
                              const Camera& camera, bool shadows) {
@@ -69,10 +86,8 @@ RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
     if (shadows && levels.empty()) levels = {tone::kUnlit};
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
-    options.colors.push_back(part_styles.drawn(i) && fill.color == "part" && fill.opacity > 0
-                                 ? scene.parts[i].face_colors
-                                 : nullptr);
   }
+  options.colors = face_colors(scene, part_styles);
   return options;
 }
 
@@ -325,9 +340,9 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);
-  if (paints(part_styles)) paint_areas(scene, part_styles, drawing);
-  if (style.shadow.cast) shade_areas(style, drawing.areas);
   hatch_areas(scene, part_styles, "", drawing, context);
+  if (paints(part_styles) || hatches(part_styles)) paint_areas(scene, part_styles, drawing);
+  if (style.shadow.cast) shade_areas(style, drawing.areas);
   if (labels.shadow) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }

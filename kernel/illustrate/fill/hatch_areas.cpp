@@ -41,8 +41,9 @@ int directions(const FillOptions& fill, int step) {
   return fill.steps < 2 ? 2 : std::min(hatch.tones - step, static_cast<int>(kDirections.size()));
 }
 
-/// Areas of one part and face.
+/// Areas of one part, face and colour.
 using Group = std::vector<const Area*>;
+using Rings = std::vector<std::vector<Vec2>>;
 
 /// Those that have lines of a direction: of nested ones the outermost.
 Group hatched(const Group& group, const FillOptions& fill, int direction) {
@@ -57,16 +58,27 @@ Group hatched(const Group& group, const FillOptions& fill, int direction) {
   return out;
 }
 
+/// The area of a group that holds all of it, where areas nest.
+const Area& whole_of(const Group& group, const FillOptions& fill) {
+  return **std::ranges::max_element(group, {},
+                                    [&](const Area* area) { return step_of(*area, fill); });
+}
+
 class Hatcher {
  public:
-  Hatcher(const Style& style, std::string color) : fill_(style.fill), color_(std::move(color)) {}
+  /// `over`: what lies over all of a group.
+  Hatcher(const Style& style, std::string color, Rings over)
+      : fill_(style.fill), color_(std::move(color)), over_(std::move(over)) {}
 
   void add(const Group& group, Layer& layer) const {
+    const Area& whole = whole_of(group, fill_);
     for (int k = 0; k < static_cast<int>(kDirections.size()); ++k) {
       const auto& [turned, wider] = kDirections[static_cast<std::size_t>(k)];
       const double angle = fill_.hatch.angle + turned, distance = wider * fill_.hatch.distance;
       for (const Area* area : hatched(group, fill_, k)) {
-        for (const auto& [a, b] : hatch_rings(area->rings, angle, distance)) {
+        Rings rings = area->rings;
+        if (area == &whole) rings.insert(rings.end(), over_.begin(), over_.end());
+        for (const auto& [a, b] : hatch_rings(rings, angle, distance)) {
           Path& line = layer.paths.emplace_back();
           line.kind = LineClass::Pattern;
           line.source.part = area->part;
@@ -82,6 +94,7 @@ class Hatcher {
  private:
   const FillOptions& fill_;
   std::string color_;
+  Rings over_;
 };
 
 /// Empty where it is that of the sheet's ink.
@@ -104,17 +117,31 @@ bool hatches(const PartStyles& part_styles) {
 void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_view role,
                  Drawing& drawing, const RunContext& context) {
   if (!hatches(part_styles)) return;
-  std::map<std::pair<std::int32_t, std::int32_t>, Group> groups;
-  for (const Area& area : drawing.areas) {
-    if (area.part >= 0 && area.role == role) groups[{area.part, area.face}].push_back(&area);
-  }
   const Fills fills(scene, part_styles);
+  // By part and face, and there by colour.
+  std::map<std::pair<std::int32_t, std::int32_t>, std::map<std::string, Group>> faces;
+  for (const Area& area : drawing.areas) {
+    if (area.part < 0 || area.role != role) continue;
+    faces[{area.part, area.face}][fills.color(area)].push_back(&area);
+  }
   Layer layer{kLayer, {}};
-  for (const auto& [key, group] : groups) {
-    context.check();
+  for (const auto& [key, groups] : faces) {
     const auto part = static_cast<std::size_t>(key.first);
     const Style& style = part_styles.style(part);
-    Hatcher(style, line_color(style, fills.color(part), drawing.ink_color)).add(group, layer);
+    const std::string own = fills.color(part);
+    // The colour of a part goes on below those of its faces.
+    Rings over;
+    const bool below = role.empty() && nests(style.fill) && !part_styles.transparent(part);
+    for (const auto& [color, group] : groups) {
+      if (!below || color == own) continue;
+      const Rings& rings = whole_of(group, style.fill).rings;
+      over.insert(over.end(), rings.begin(), rings.end());
+    }
+    for (const auto& [color, group] : groups) {
+      context.check();
+      Hatcher(style, line_color(style, color, drawing.ink_color), color == own ? over : Rings())
+          .add(group, layer);
+    }
   }
   if (layer.paths.empty()) return;
   const auto known = std::ranges::find(drawing.layers, layer.name, &Layer::name);

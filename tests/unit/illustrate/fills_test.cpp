@@ -308,6 +308,36 @@ TEST(Fills, AreHatchedInTheTonesThatAreAskedFor) {
   EXPECT_TRUE(std::ranges::all_of(alone.areas, [](const Area& a) { return a.fill.empty(); }));
 }
 
+TEST(Fills, OfFacesAreHatchedOnceInTheirColours) {
+  const Scene scene = painted_plate();
+  Style style = builtin_style("flat");
+  style.fill.hatch.lines = FillHatch::Lines::Lines;
+  style.fill.hatch.distance = 0.2;
+  style.fill.hatch.color = "fill";
+  for (const double opacity : {1.0, 0.5, 0.0}) {
+    style.fill.opacity = opacity;
+    const Drawing drawing = draw(scene, style);
+    std::map<std::string, double> lengths;
+    for (const Layer& layer : drawing.layers) {
+      if (layer.name != "fill-hatch") continue;
+      for (const Path& path : layer.paths) {
+        lengths[path.color] += glm::distance(path.points[0], path.points[1]);
+      }
+    }
+    const double all = lengths["#00ff00"] + lengths["#ff0000"] + lengths["#0000ff"];
+    EXPECT_EQ(lengths.size(), 3u);
+    EXPECT_NEAR(lengths["#ff0000"] / all, 150 / 800.0, 2e-3) << opacity;
+    EXPECT_NEAR(lengths["#0000ff"] / all, 200 / 800.0, 2e-3) << opacity;
+    for (const Area& area : drawing.areas) EXPECT_EQ(area.fill.empty(), opacity == 0);
+  }
+  // In one colour no line is drawn twice.
+  style.fill.opacity = 1;
+  style.fill.hatch.color = "#000000";
+  const double painted = hatched(draw(scene, style));
+  style.fill.color = "#f28e2b";
+  EXPECT_NEAR(painted, hatched(draw(scene, style)), 1e-3 * painted);
+}
+
 TEST(Fills, LightnessIsThatOfTheEye) {
   // In OKLab the lightness of a grey is the cube root of its light: half as light is an eighth.
   EXPECT_EQ(with_lightness({255, 255, 255}, 1), (Rgb{255, 255, 255}));
