@@ -34,6 +34,11 @@ Appearance look_of(const Rgba& color) {
   return {fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]), color[3] / 255.0};
 }
 
+Appearance look_of(const std::string& color) {
+  const std::optional<Rgba> known = hex_color(color);
+  return known ? look_of(*known) : Appearance{color};
+}
+
 std::uint8_t channel(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * (share > 0 ? std::min(share, 1.0) : 0.0)));
 }
@@ -75,8 +80,10 @@ std::shared_ptr<const FaceColors> FaceLooks::colors() const {
       place.push_back(-1);
       continue;
     }
+    std::string text = look_of(*look).color;
+    if ((*look)[3] < 255) text += fmt::format("{:02x}", (*look)[3]);
     const auto [at, is_new] =
-        places.try_emplace(look_of(*look).color, static_cast<std::int32_t>(out.colors.size()));
+        places.try_emplace(std::move(text), static_cast<std::int32_t>(out.colors.size()));
     if (is_new) out.colors.push_back(at->first);
     place.push_back(at->second);
   }

@@ -54,7 +54,8 @@ class FaceLooks {
   bool too_many() const { return numbers_.size() > kMost; }
   /// Of all faces, or empty where they differ.
   Appearance look() const;
-  /// By face, in their order; absent where they look alike, and where there are too many.
+  /// By face, in their order, with the opacity of glass; absent where they look alike, and where
+  /// there are too many.
   std::shared_ptr<const FaceColors> colors() const;
 
  private:
@@ -66,6 +67,9 @@ class FaceLooks {
   std::vector<std::int32_t> of_face_;
   std::size_t count_ = 0;
 };
+
+/// What a part looks like by a colour of `FaceColors`, such as that of most of its faces.
+Appearance look_of(const std::string& color);
 
 /// The colour that most corners of a face have, the first of them that is so.
 std::optional<Rgba> color_of_corners(std::span<const std::optional<Rgba>> corners);

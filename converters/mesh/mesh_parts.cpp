@@ -8,6 +8,7 @@
 #include <burin/surface/placed_form.h>
 
 #include "given_name.h"
+#include "look.h"
 #include "painted_mesh.h"
 #include "text.h"
 #include "texture.h"
@@ -139,13 +140,14 @@ class Parts {
     Made made = placed_form(use, name);
     if (!made.form) return;
     const bool own = !made.colors.color.empty();
+    const Appearance look = own ? look_of(made.colors.color) : Appearance{use.color, use.opacity};
     scene_.parts.push_back({.name = name,
                             .source = path_.string(),
                             .form = std::move(made.form),
                             .assembly = std::move(use.assembly),
-                            .color = std::move(own ? made.colors.color : use.color),
+                            .color = look.color,
                             .definition = given_name(use.definition),
-                            .opacity = use.opacity,
+                            .opacity = look.opacity,
                             .face_colors = std::move(made.colors.faces)});
   }
 

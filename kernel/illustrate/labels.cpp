@@ -1,8 +1,10 @@
 #include "labels.h"
 
 #include <burin/area/partition.h>
+#include <burin/feature/kind_borders.h>
 #include <burin/illustrate/view_probe.h>
 
+#include "fill/fills.h"
 #include "regions.h"
 
 #include <algorithm>
@@ -42,29 +44,35 @@ std::vector<LabelBorder> borders_of(const Drawing& drawing) {
   return lines;
 }
 
-// What is seen of each part, by part.
-std::vector<Area> areas_of(const Partition& partition) {
-  std::map<std::int32_t, Area> areas;
-  for (const AreaRegion& region : partition.regions) {
-    if (region.label.part < 0) continue;
-    Area& area = areas.try_emplace(region.label.part, Area{.part = region.label.part, .rings = {}})
-                     .first->second;
-    for (const AreaRing& ring : region.rings) add_ring(partition.polygon(ring), area);
+// Where faces of other colours of glass meet.
+std::vector<LabelBorder> borders_of_colors(const LabelRequest& wanted) {
+  std::vector<LabelBorder> lines;
+  const Occluders& occluders = *wanted.occluders;
+  for (std::size_t i = 0; i < wanted.colors.size(); ++i) {
+    const FaceColors* colors = wanted.colors[i].get();
+    if (!colors || !occluders.transparent(i)) continue;
+    const auto color = [&](std::int32_t face) { return colors->at(face); };
+    for (const Curve3& curve :
+         kind_borders(*occluders.proxies()[i], static_cast<std::int32_t>(i), color, false)) {
+      LabelBorder& line = lines.emplace_back(LabelBorder{{}, curve.closed});
+      for (const Vec3& p : curve.points) line.points.push_back(wanted.camera.to_paper(p));
+    }
   }
-  std::vector<Area> out;
-  for (auto& [part, area] : areas) {
-    if (!area.rings.empty()) out.push_back(std::move(area));
-  }
-  return out;
+  return lines;
 }
 
 /// What is seen in a box of the sheet.
 class Looker {
  public:
   Looker(const LabelRequest& wanted, const RunContext& context)
-      : box_(wanted.box), camera_(wanted.camera), context_(context) {
-    for (const LabelBorder& border : wanted.borders) {
-      lines_.push_back({border.points, border.closed});
+      : wanted_(wanted),
+        box_(wanted.box),
+        camera_(wanted.camera),
+        context_(context),
+        between_colors_(borders_of_colors(wanted)) {
+    for (const std::vector<LabelBorder>* borders :
+         {&wanted.borders, &std::as_const(between_colors_)}) {
+      for (const LabelBorder& border : *borders) lines_.push_back({border.points, border.closed});
     }
   }
 
@@ -74,15 +82,49 @@ class Looker {
 
   // Of the parts of a flag; empty: of all.
   std::vector<Area> areas(const Occluder& occluder, const std::vector<bool>& parts = {}) const {
-    const auto label_at = [&, at = part_at(occluder)](Vec2 p) {
-      const std::int32_t part = at(p);
-      const bool counts = part < 0 || parts.empty() || parts[static_cast<std::size_t>(part)];
-      return AreaLabel{.part = counts ? part : -1};
+    const auto label_at = [&, probe = view_probe(occluder, camera_)](Vec2 p) {
+      const auto hit = probe(p);
+      if (!hit) return AreaLabel{};
+      const auto part = static_cast<std::size_t>(hit->part);
+      if (!parts.empty() && !parts[part]) return AreaLabel{};
+      AreaLabel label{.part = hit->part};
+      const ProxyMesh& proxy = *wanted_.occluders->proxies()[part];
+      const FaceColors* colors = colors_of(part);
+      if (colors && !proxy.is_cut(hit->point.face)) {
+        label.color = colors->at(proxy.face_source(hit->point.face));
+      }
+      return label;
     };
     return areas_of(partition(box_, lines_, label_at, {.rounds = 1}, context_));
   }
 
  private:
+  const FaceColors* colors_of(std::size_t part) const {
+    const bool of_glass = part < wanted_.colors.size() && wanted_.occluders->transparent(part);
+    return of_glass ? wanted_.colors[part].get() : nullptr;
+  }
+
+  /// What is seen of each part, by part and colour.
+  std::vector<Area> areas_of(const Partition& partition) const {
+    std::map<std::pair<std::int32_t, std::int32_t>, Area> areas;
+    for (const AreaRegion& region : partition.regions) {
+      const AreaLabel& label = region.label;
+      if (label.part < 0) continue;
+      Area& area =
+          areas.try_emplace({label.part, label.color}, Area{.part = label.part, .rings = {}})
+              .first->second;
+      for (const AreaRing& ring : region.rings) add_ring(partition.polygon(ring), area);
+      if (label.color < 0) continue;
+      const FaceColors& colors = *colors_of(static_cast<std::size_t>(label.part));
+      set_face_color(colors.colors[static_cast<std::size_t>(label.color)], area);
+    }
+    std::vector<Area> out;
+    for (auto& [key, area] : areas) {
+      if (!area.rings.empty()) out.push_back(std::move(area));
+    }
+    return out;
+  }
+
   std::function<std::int32_t(Vec2)> part_at(const Occluder& occluder) const {
     return [probe = view_probe(occluder, camera_)](Vec2 at) {
       const auto hit = probe(at);
@@ -90,10 +132,12 @@ class Looker {
     };
   }
 
+  const LabelRequest& wanted_;
   Box2 box_;
   std::vector<BorderLine> lines_;
   const Camera& camera_;
   const RunContext& context_;
+  std::vector<LabelBorder> between_colors_;
 };
 
 /// Leaves the parts of a flag in a map, and takes the flag of those that are seen; whether any is.

@@ -6,6 +6,7 @@
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
+#include <burin/surface/face_colors.h>
 
 #include "occluders.h"
 
@@ -26,7 +27,8 @@ namespace burin::detail {
 struct Labels {
   LabelMap seen;
   std::vector<LabelMap> glass;
-  /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest.
+  /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest,
+  /// by the colours of its faces (`fill`, and `opacity` of those that say it).
   std::vector<Area> areas = {};
   /// Below all of them.
   std::optional<Area> shadow = {};
@@ -52,6 +54,9 @@ struct LabelRequest {
   bool maps = true;
   /// Of solid parts, too.
   bool areas = true;
+  /// One a part, or fewer: the colours of faces by which the areas of glass are told apart; absent:
+  /// it has one.
+  std::vector<std::shared_ptr<const FaceColors>> colors{};
 
   LabelRequest(const Drawing& drawing, std::shared_ptr<const Occluders> parts, const Camera& of,
                bool with_maps, bool with_areas);

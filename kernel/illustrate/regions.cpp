@@ -7,6 +7,7 @@
 #include <burin/illustrate/view_probe.h>
 
 #include "exact_places.h"
+#include "fill/fills.h"
 #include "shadow/cast_shadow.h"
 
 #include <algorithm>
@@ -329,7 +330,7 @@ std::vector<Area> areas_of(const Partition& partition, const RegionOptions& opti
       one.tone = it->first;
       Area area = area_of(partition, one, !options.tones[part].levels.empty(), it->second);
       if (label.color >= 0) {
-        area.fill = options.colors[part]->colors[static_cast<std::size_t>(label.color)];
+        set_face_color(options.colors[part]->colors[static_cast<std::size_t>(label.color)], area);
       }
       if (!area.rings.empty()) out.push_back(std::move(area));
     }

@@ -220,7 +220,10 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
     });
   }
   if (maps || regions) {
-    const LabelRequest wanted(drawing, occluders, camera, maps, !regions);
+    LabelRequest wanted(drawing, occluders, camera, maps, !regions);
+    if (regions && occluders->any_transparent()) {
+      wanted.colors = face_colors(scene, part_styles);
+    }
     labels = *labels_.get(wanted, [&] { return std::make_shared<Labels>(label(wanted, context)); });
     if (regions) {
       Parted parted{lines, wanted.box,
@@ -292,6 +295,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   report_bounds(totals, features->sight.merged_cuts(), drawing.diagnostics);
   report_unmapped(scene, std::move(totals.unmapped), drawing.diagnostics);
   report_unused(part_styles, options, drawing.diagnostics);
+  report_solid_glass(scene, part_styles, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
   const LinesToDraw to_draw{features->sight.features(), features->sight.feature_spans(),

@@ -2,6 +2,7 @@
 
 #include <burin/tone/catalogue.h>
 
+#include "fill/fills.h"
 #include "style_table.h"
 
 #include <fmt/format.h>
@@ -110,6 +111,25 @@ void report_whole_drawing_keys(const PartStyles& part_styles, bool annotated,
 }
 
 }  // namespace
+
+void report_solid_glass(const Scene& scene, const PartStyles& part_styles,
+                        Diagnostics& diagnostics) {
+  std::int64_t count = 0;
+  const Part* first = nullptr;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const FillOptions& fill = part_styles.style(i).fill;
+    const bool painted = part_styles.drawn(i) && fill.color == "part" && fill.opacity > 0;
+    const Part& part = scene.parts[i];
+    if (!painted || part_styles.transparent(i) || !has_solid_glass(part)) continue;
+    if (count++ == 0) first = &part;
+  }
+  if (count == 0) return;
+  diagnostics.add(Severity::Warning, "fill.solid_glass", count,
+                  fmt::format("parts have faces of glass beside solid ones; these are painted as "
+                              "solid: draw such a part whole as of glass (ghost) or make its glass "
+                              "a part of its own; the first: '{}'",
+                              first->name));
+}
 
 void report_unused(const PartStyles& part_styles, const IllustrateOptions& options,
                    Diagnostics& diagnostics) {

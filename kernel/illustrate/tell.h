@@ -26,6 +26,10 @@ void report_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics&
 /// Parts on which laws of u and v say nothing.
 void report_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics);
 
+/// Faces of glass that are painted as solid.
+void report_solid_glass(const Scene& scene, const PartStyles& part_styles,
+                        Diagnostics& diagnostics);
+
 /// Choices of strokes that nothing of the drawing looks at, each once.
 void report_unused(const PartStyles& part_styles, const IllustrateOptions& options,
                    Diagnostics& diagnostics);

@@ -1,9 +1,15 @@
 #include <burin/surface/face_colors.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 namespace burin {
+namespace {
+
+constexpr std::size_t kOpaque = 7;  // letters of "#rrggbb"
+
+}  // namespace
 
 PaintedFaces painted_faces(std::span<const std::string> color, std::span<const double> area) {
   if (color.empty()) return {};
@@ -11,10 +17,13 @@ PaintedFaces painted_faces(std::span<const std::string> color, std::span<const d
   for (std::size_t i = 0; i < color.size(); ++i) {
     sums[color[i]] += i < area.size() ? area[i] : 0;
   }
-  // Of several of one area the first.
-  const std::string* most = &color.front();
+  // A part is of glass where all of it is. Of several of one area the first.
+  const auto is_glass = [](const std::string& one) { return one.size() > kOpaque; };
+  const bool solid = !std::ranges::all_of(color, is_glass);
+  const std::string* most = nullptr;
   for (const std::string& one : color) {
-    if (sums[one] > sums[*most]) most = &one;
+    if (solid && is_glass(one)) continue;
+    if (!most || sums[one] > sums[*most]) most = &one;
   }
   PaintedFaces out{*most, {}};
   FaceColors faces;

@@ -142,11 +142,32 @@ TEST(Look, MaterialsOfObj) {
   EXPECT_NEAR(scene.parts[3].opacity, 0.25, 1 / 255.0);
   EXPECT_EQ(scene.parts[2].opacity, 1);
   ASSERT_TRUE(scene.parts[4].face_colors);
-  EXPECT_EQ(scene.parts[4].face_colors->colors, std::vector<std::string>{"#0000ff"});
+  EXPECT_EQ(scene.parts[4].face_colors->colors, std::vector<std::string>{"#0000ff40"});
+  EXPECT_EQ(scene.parts[4].opacity, 1) << "a part of it is solid";
 
   const Scene lost = read("mtllib gone.mtl\n" + points + "usemtl x\n" + closed);
   EXPECT_EQ(only(lost).color, "");
   EXPECT_EQ(test::count_of(lost.diagnostics, "obj.no_materials"), 1);
+}
+
+TEST(Look, FacesOfGlassMakeAPartOfGlassWhereAllAre) {
+  const auto read = [](const std::string& color, const std::string& last) {
+    return only(read_scene("OFF\n" + kOff + kPoints + off_faces(color, last), "a.off"));
+  };
+  // Three faces of 0.5 and one of 0.87.
+  const Part glass = read("255 0 0 128", "0 0 255 64");
+  EXPECT_EQ(glass.color, "#ff0000");
+  EXPECT_NEAR(glass.opacity, 0.5, 1 / 255.0);
+  expect_last_face(glass, "#0000ff40");
+  const Part window = read("255 0 0", "0 0 255 64");
+  EXPECT_EQ(window.color, "#ff0000");
+  EXPECT_EQ(window.opacity, 1);
+  expect_last_face(window, "#0000ff40");
+  const Part mostly = read("255 0 0 128", "0 0 255");
+  EXPECT_EQ(mostly.color, "#0000ff") << "the colour of what is solid";
+  EXPECT_EQ(mostly.opacity, 1);
+  ASSERT_TRUE(mostly.face_colors);
+  EXPECT_EQ(mostly.face_colors->colors, std::vector<std::string>{"#ff000080"});
 }
 
 /// Of a cylinder about z with 32 facets: a half of its wall is red, as is its top; the rest is

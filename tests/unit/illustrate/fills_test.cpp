@@ -264,6 +264,38 @@ TEST(Fills, TheLegendHasColoursOfFacesAndThoseThatAreSeenAlone) {
   EXPECT_EQ(seen_colors(scene, style).size(), 2u);
 }
 
+TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
+  Scene scene = painted_plate();
+  scene.parts[0].face_colors =
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff33"}, {-1, 0, 1}});
+  std::vector<PartStyle> looks(1);
+  looks[0].transparent = true;
+  const Drawing drawing = draw(scene, builtin_style("flat"), looks);
+  std::map<std::string, std::pair<double, double>> found;  // opacity, area
+  double all = 0;
+  for (const Area& area : drawing.areas) {
+    found[area.fill] = {area.opacity, std::abs(test::signed_area(area))};
+    all += found[area.fill].second;
+  }
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found["#00ff00"].first, 0.25);
+  EXPECT_EQ(found["#ff0000"].first, 0.25) << "as the part";
+  EXPECT_EQ(found["#0000ff"].first, 0.2);
+  EXPECT_NEAR(found["#ff0000"].second / all, 150 / 800.0, 1e-3);
+  EXPECT_NEAR(found["#0000ff"].second / all, 200 / 800.0, 1e-3);
+  const auto tells = [](const Drawing& d) {
+    return std::ranges::any_of(d.diagnostics.entries(),
+                               [](const Diagnostic& e) { return e.code == "fill.solid_glass"; });
+  };
+  EXPECT_FALSE(tells(drawing));
+  // A part that is solid as a whole is: that is told.
+  const Drawing solid = draw(scene, builtin_style("flat"));
+  EXPECT_TRUE(tells(solid));
+  for (const Area& area : solid.areas) EXPECT_EQ(area.opacity, 1);
+  EXPECT_TRUE(sizes_of_colors(solid).contains("#0000ff"));
+  EXPECT_FALSE(tells(draw(scene, builtin_style("outline"))));
+}
+
 /// Paper mm of all lines of the layer of hatching.
 double hatched(const Drawing& drawing) {
   double sum = 0;
