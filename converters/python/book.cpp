@@ -66,6 +66,9 @@ void save(const PyBook& self, const py::args& paths) {
 PyBook steps(const py::object& source, std::size_t new_items, const py::kwargs& keywords) {
   if (new_items < 1) throw UsageError("argument new_items takes a whole number from 1");
   Call call(source, keywords);
+  if (!call.with.session.is_none()) {
+    throw UsageError("argument session is for draw: a step book keeps nothing for the next one");
+  }
   DrawPlan& plan = call.plan();
   PyBook book;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
@@ -103,10 +106,12 @@ void add_book(py::module_& module) {
           "save", save,
           "Writes NAME.pdf, a page a step; NAME.html, one page; NAME.md, with NAME-step-01.svg and "
           "so on beside it; all of them or none. Throws OutputError, UsageError.");
-  module.def("steps", steps, py::arg("source"), py::kw_only(), py::arg("new_items") = 6,
-             "Draws how an assembly is put together: the steps of its exploded view backwards. "
-             "`new_items`: items that a step adds at the most. Keywords are those of `draw`; those "
-             "about one drawing (views, details, scale ...) are not looked at. Throws Error.");
+  module.def(
+      "steps", steps, py::arg("source"), py::kw_only(), py::arg("new_items") = 6,
+      "Draws how an assembly is put together: the steps of its exploded view backwards. "
+      "`new_items`: items that a step adds at the most. Keywords are those of `draw`; those "
+      "about one drawing (views, detail, legend, scale ...) have no effect, which is told in "
+      "`diagnostics`. Throws Error.");
 }
 
 }  // namespace burin::python

@@ -1,14 +1,43 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace burin {
+namespace {
+
+/// What is asked for that is about one drawing, as `with_spelling` takes it.
+std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
+  std::vector<std::string> out;
+  for (const auto& [asked, name] : {std::pair(!plan.views.empty(), "`views`"),
+                                    {!plan.details.empty(), "`detail`"},
+                                    {plan.legend, "`legend`"},
+                                    {!plan.parts_list_files.empty(), "`parts_list` as a file"},
+                                    {plan.view.scale.has_value(), "`scale`"},
+                                    {plan.view.center.has_value(), "`center`"},
+                                    {plan.explode.factor != 1, "`explode_factor`"}}) {
+    if (asked) out.emplace_back(name);
+  }
+  return out;
+}
+
+}  // namespace
 
 Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunContext& context) {
+  const std::vector<std::string> unused = about_one_drawing(plan);
+  plan.legend = false;
   Book book = make_book(scene, plan, build, context);
   book.diagnostics.append(plan.notes);
-  if (!plan.views.empty() || !plan.details.empty()) {
-    book.diagnostics.add(Severity::Warning, "option.unused", 1,
-                         "several views and details have no effect on a step book");
+  if (!unused.empty()) {
+    book.diagnostics.add(Severity::Warning, "option.unused",
+                         static_cast<std::int64_t>(unused.size()),
+                         fmt::format("{} {} no effect on a step book", fmt::join(unused, ", "),
+                                     unused.size() > 1 ? "have" : "has"));
   }
   book.diagnostics = with_spelling(book.diagnostics, plan.spelling);
   return book;

@@ -77,6 +77,18 @@ class Books(unittest.TestCase):
         for page in one.pages:
             self.assertLessEqual(len(page["added"]), 1 + 1)  # and what the first stands on
 
+    def test_what_is_about_one_drawing_is_told(self):
+        def unused(**options):
+            book = burin.steps(SAMPLES / "coupling.step", style="outline", **options)
+            return [d.message for d in book.diagnostics if d.code == "option.unused"]
+
+        self.assertEqual(unused(), [])
+        self.assertEqual(unused(legend=True), ["legend has no effect on a step book"])
+        self.assertEqual(unused(views=["front", "top"], legend=True, scale=2, center=(0, 0, 0)),
+                         ["views, legend, scale, center have no effect on a step book"])
+        with self.assertRaisesRegex(burin.UsageError, "session is for draw"):
+            burin.steps(SAMPLES / "coupling.step", session=burin.Session())
+
     def test_errors(self):
         with self.assertRaisesRegex(burin.UsageError, "from 1"):
             burin.steps(SAMPLES / "bracket.off", new_items=0)
