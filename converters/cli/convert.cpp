@@ -1,6 +1,7 @@
 #include "convert.h"
 
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/mesh_writer.h>
 #include <burin/converters/messages.h>
@@ -63,6 +64,10 @@ void convert_solid(const ConvertArguments& arguments, RunContext& context, Conso
     if (same_file(name, arguments.input)) {
       throw UsageError(fmt::format("{}: is also an input; give the output another name", name));
     }
+    for (const auto& other : outputs) {
+      if (!same_file(name, other.first.name())) continue;
+      throw UsageError(fmt::format("{}: is given twice as output; name it once", name));
+    }
     outputs.emplace_back(Output(name, *format_named("json")), writer);
     outputs.back().first.probe();
   }
@@ -81,6 +86,16 @@ void convert_solid(const ConvertArguments& arguments, RunContext& context, Conso
   console.diagnostics(with_spelling(made.diagnostics, Spelling::Options));
 }
 
+/// A model is no drawing, whole or broken.
+void refuse_model(const std::string& input) {
+  const std::string suffix = model_suffix(input);
+  if (suffix == ".json" || !is_read_suffix(suffix) || !std::filesystem::exists(input)) return;
+  throw InputError(fmt::format("is a model ({}), not a drawing; burin convert takes drawings "
+                               "(.json) and OpenSCAD files, burin draw draws models",
+                               suffix.substr(1)),
+                   input);
+}
+
 }  // namespace
 
 void run_convert(const ConvertArguments& arguments, RunContext& context, Console& console) {
@@ -92,6 +107,7 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
     throw UsageError("no output; name one: burin convert DRAWING.json -o OUT.pdf");
   }
   if (is_openscad_suffix(arguments.input)) return convert_solid(arguments, context, console);
+  refuse_model(arguments.input);
   const Style style = make_style(arguments.set);
   const ThreadLimit limit(static_cast<int>(asked(arguments, "threads", std::uint64_t{0})));
   std::vector<Output> outputs =

@@ -106,7 +106,11 @@ fs::path resolved(const std::string& name) {
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  // Of what is not there yet weakly_canonical leaves "a" relative, and "./a" not.
+  const auto place = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, error), error);
+  };
+  return place(a) == place(b);
 }
 
 void set_output_guard(const OutputGuard& guard) { g_guard = guard; }

@@ -96,6 +96,11 @@ TEST_F(CliErrors, UsageOfOutputs) {
   expect_failure("draw @/box.off -o @/a --format bmp", 2, "--format");
   expect_failure("draw @/box.off -o @/a.svg -o @/./a.svg", 2, "twice");
   expect_failure("draw @/box.off -o - -o - --format svg", 2, "twice");
+  // Of relative names, too, before any of them is there.
+  test::Command relative(folder_, {"draw", box_, "-o", "twice.svg", "-o", "./twice.svg"});
+  EXPECT_EQ(relative.wait(), 2);
+  EXPECT_NE(relative.std_err.find("./twice.svg: is given twice as output"), std::string::npos)
+      << relative.std_err;
   // An input is never overwritten, by whatever way it is named.
   const std::string before = slurp(box_);
   fs::create_symlink("box.off", folder_ / "box.svg");
@@ -119,6 +124,14 @@ TEST_F(CliErrors, BadInput) {
   expect_failure("draw @/word.off -o @/a.svg", 3, "word.off:4: ");
   folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   expect_failure("draw @/flat.off -o @/a.svg", 3, "flat.off: ");
+  expect_failure("convert @/short.off -o @/a.svg", 3, "short.off: is a model (off), not a drawing");
+  for (const std::string suffix : {"stl", "obj", "off"}) {
+    std::string wide = "\xff\xfe";
+    for (const char c : std::string("solid a\nfacet\n")) wide += {c, '\0'};
+    folder_.write("wide." + suffix, wide);
+    expect_failure("draw @/wide." + suffix + " -o @/a.svg", 3,
+                   "is text in UTF-16; save it as UTF-8 or ASCII");
+  }
   folder_.write("thing.xyz", "one two three\n");
   expect_failure("draw @/thing.xyz -o @/a.svg", 3, "of no kind that is read (suffix '.xyz')");
   folder_.write("drawing.json", R"({"format": "burin-drawing", "version": 1, "layers": []})");
