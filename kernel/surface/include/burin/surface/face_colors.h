@@ -13,7 +13,7 @@ namespace burin {
 
 /// What faces of a part are coloured like that differ from the part itself.
 struct FaceColors {
-  /// "#rrggbb", each once; none is that of the part.
+  /// "#rrggbb", of glass "#rrggbbaa" with its opacity, each once; none is that of the part.
   std::vector<std::string> colors;
   /// For each face of the input, by the number that `ProxyMesh::face_source` gives, its place in
   /// `colors`; -1: the face has the colour of the part, as have those beyond the end.
@@ -27,13 +27,13 @@ struct FaceColors {
 
 /// A part that may have several colours.
 struct PaintedFaces {
-  /// The colour of most of its area; empty where most of it has none.
+  /// That of most of its area, but for glass where not all is; empty where most of it has none.
   std::string color;
   /// The others; absent where all faces have that one.
   std::shared_ptr<const FaceColors> faces;
 };
 
-/// `color`: "#rrggbb" of each face, or empty. `area`: of each face, in any unit, one number a face;
+/// `color`: as FaceColors, of each face, or empty. `area`: of each face, in any unit, one number;
 /// fewer: 0. Faces without a colour look like the part.
 PaintedFaces painted_faces(std::span<const std::string> color, std::span<const double> area);
 
