@@ -106,12 +106,11 @@ void add_book(py::module_& module) {
           "save", save,
           "Writes NAME.pdf, a page a step; NAME.html, one page; NAME.md, with NAME-step-01.svg and "
           "so on beside it; all of them or none. Throws OutputError, UsageError.");
-  module.def(
-      "steps", steps, py::arg("source"), py::kw_only(), py::arg("new_items") = 6,
-      "Draws how an assembly is put together: the steps of its exploded view backwards. "
-      "`new_items`: items that a step adds at the most. Keywords are those of `draw`; those "
-      "about one drawing (views, detail, legend, scale ...) have no effect, which is told in "
-      "`diagnostics`. Throws Error.");
+  module.def("steps", steps, py::arg("source"), py::kw_only(), py::arg("new_items") = 6,
+             "Draws how an assembly is put together: the steps of its exploded view backwards. "
+             "`new_items`: items that a step adds at the most. Keywords are those of `draw`; those "
+             "about one drawing (views, detail, legend, scale ...) have no effect; `diagnostics` "
+             "names them. Throws Error.");
 }
 
 }  // namespace burin::python
