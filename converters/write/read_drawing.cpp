@@ -182,6 +182,38 @@ DrawingItem read_item(const JsonPlace& place) {
   return item;
 }
 
+void read_ink(const JsonPlace& place, std::string& name) {
+  place.set(name);
+  if (const std::string fault = fault_of_ink(name); !fault.empty()) place.fail(fault);
+}
+
+SpotInk read_spot_ink(const JsonPlace& place, const std::vector<SpotInk>& known) {
+  place.check_object();
+  SpotInk ink;
+  place.required("name", [&](const JsonPlace& name) {
+    read_ink(name, ink.name);
+    if (std::ranges::find(known, ink.name, &SpotInk::name) != known.end()) {
+      name.fail(fmt::format("is '{}', as that of another ink", ink.name));
+    }
+  });
+  place.required("color", [&](const JsonPlace& color) { read_color(color, ink.color); });
+  return ink;
+}
+
+/// That the inks of areas are known.
+void check_inks(const JsonPlace& root, const Drawing& drawing) {
+  root.optional("areas", [&](const JsonPlace& areas) {
+    areas.each([&](const JsonPlace& area, std::size_t i) {
+      const std::string& name = drawing.areas[i].ink;
+      const auto& inks = drawing.inks;
+      if (name.empty() || std::ranges::find(inks, name, &SpotInk::name) != inks.end()) return;
+      area.optional("ink", [&](const JsonPlace& ink) {
+        ink.fail(fmt::format("'{}' is an ink that the drawing does not list", name));
+      });
+    });
+  });
+}
+
 Area read_area(const JsonPlace& place) {
   place.check_object();
   Area area;
@@ -196,8 +228,11 @@ Area read_area(const JsonPlace& place) {
     opacity.set(area.opacity);
     if (!(area.opacity >= 0 && area.opacity <= 1)) opacity.fail("takes an opacity from 0 to 1");
   });
-  value("ink", area.ink);
-  value("tint", area.tint);
+  place.optional("ink", [&](const JsonPlace& ink) { read_ink(ink, area.ink); });
+  place.optional("tint", [&](const JsonPlace& tint) {
+    tint.set(area.tint);
+    if (!(area.tint >= 0 && area.tint <= 1)) tint.fail("takes a share of an ink, from 0 to 1");
+  });
   value("role", area.role);
   place.optional("rings", [&](const JsonPlace& rings) {
     rings.each([&](const JsonPlace& ring, std::size_t) {
@@ -383,11 +418,10 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
   });
   root.optional("inks", [&](const JsonPlace& inks) {
     inks.each([&](const JsonPlace& one, std::size_t) {
-      SpotInk& ink = drawing.inks.emplace_back();
-      one.required("name", [&](const JsonPlace& name) { name.set(ink.name); });
-      one.required("color", [&](const JsonPlace& color) { color.set(ink.color); });
+      drawing.inks.push_back(read_spot_ink(one, drawing.inks));
     });
   });
+  check_inks(root, drawing);
   root.optional("diagnostics", [&](const JsonPlace& list) {
     list.each(
         [&](const JsonPlace& d, std::size_t) { drawing.diagnostics.add(read_diagnostic(d)); });

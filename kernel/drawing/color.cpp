@@ -49,6 +49,24 @@ std::string without_name(std::string_view text) {
   return std::string(row == kNamed.end() ? text : row->color);
 }
 
+bool is_grey(const Rgb& color) { return color[0] == color[1] && color[1] == color[2]; }
+
+std::string fault_of_ink(std::string_view name) {
+  constexpr std::size_t kLongest = 127;  // bytes of a name in PDF
+  constexpr char kDelete = 127;
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == kDelete; };
+  if (name.empty()) return "takes the name of an ink, not nothing";
+  if (name.size() > kLongest) {
+    return fmt::format("takes a name of {} bytes at most, not {}", kLongest, name.size());
+  }
+  if (name == "All" || name == "None") {
+    return fmt::format("takes the name of an ink, not '{}', which has a meaning of its own in PDF",
+                       name);
+  }
+  if (std::ranges::any_of(name, is_control)) return "takes a name without control characters";
+  return {};
+}
+
 std::string to_text(const Rgb& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }

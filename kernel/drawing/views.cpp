@@ -55,7 +55,8 @@ void append_view(Drawing& sheet, Drawing&& view) {
   merge_layers(sheet.layers, view.layers);
   move_all(view.areas, sheet.areas);
   for (const SpotInk& ink : view.inks) {
-    if (std::ranges::find(sheet.inks, ink) == sheet.inks.end()) sheet.inks.push_back(ink);
+    const auto known = std::ranges::find(sheet.inks, ink.name, &SpotInk::name);
+    if (known == sheet.inks.end()) sheet.inks.push_back(ink);
   }
   add(sheet.stats, view.stats);
   append_new(view.diagnostics, sheet.diagnostics);

@@ -571,16 +571,9 @@ void check_style(const Style& style) {
         "style key 'fill.color' takes a colour #rrggbb, a name such as {}, part or none, not '{}'",
         color_names().front(), style.fill.color));
   }
-  constexpr std::size_t kLongestInk = 127;  // bytes of a name in PDF
-  if (style.fill.ink.size() > kLongestInk) {
-    throw UsageError(fmt::format("style key 'fill.ink' takes a name of {} bytes at most, not {}",
-                                 kLongestInk, style.fill.ink.size()));
-  }
-  if (style.fill.ink == "All" || style.fill.ink == "None") {
-    throw UsageError(
-        fmt::format("style key 'fill.ink' takes the name of an ink, not '{}', which "
-                    "has a meaning of its own in PDF",
-                    style.fill.ink));
+  if (const std::string wrong = fault_of_ink(style.fill.ink);
+      !style.fill.ink.empty() && !wrong.empty()) {
+    throw UsageError("style key 'fill.ink' " + wrong);
   }
   if (style.fill.hatch.color != "fill") {
     check_color("fill.hatch_color", style.fill.hatch.color, ", fill or nothing");

@@ -185,6 +185,37 @@ TEST(FilledAreas, OfSpotInksComeBackFromDrawingFiles) {
   EXPECT_EQ(written(back, "json"), json);
 }
 
+TEST(FilledAreas, OfInksThatMeanNothingAreRefused) {
+  const std::string json = written(inked(), "json");
+  const auto refused = [&](const std::string& part, const std::string& by) {
+    std::string text = json;
+    text.replace(text.find(part), part.size(), by);
+    return test::refusal(text);
+  };
+  const auto expect = [&](const std::string& part, const std::string& by, const std::string& said) {
+    EXPECT_NE(refused(part, by).find(said), std::string::npos) << by << ": " << refused(part, by);
+  };
+  const std::string tint = "\"tint\": 0.5", of_area = "\"ink\": \"Burin Red\"",
+                    of_list = "\"name\": \"Burin Red\"", color = "\"color\": \"#ff0000\"}]";
+  expect(tint, "\"tint\": -0.5", "areas[0].tint: takes a share of an ink, from 0 to 1");
+  expect(tint, "\"tint\": 1.5", "from 0 to 1");
+  EXPECT_NE(refused(tint, "\"tint\": 1e999"), "");
+  EXPECT_NE(refused(tint, "\"tint\": NaN"), "");
+  expect(tint, "\"tint\": \"half\"", "areas[0].tint");
+  expect(of_area, "\"ink\": \"Blue\"",
+         "areas[0].ink: 'Blue' is an ink that the drawing does not list");
+  expect(of_area, "\"ink\": \"\"", "areas[0].ink: takes the name of an ink, not nothing");
+  expect(of_list, "\"name\": \"" + std::string(10000, 'x') + '"',
+         "inks[0].name: takes a name of 127 bytes at most, not 10000");
+  expect(of_list, "\"name\": \"All\"", "inks[0].name");
+  expect(of_list, "\"name\": \"a\\u0000b\"", "without control characters");
+  expect(of_list, "\"nam\": \"Burin Red\"", "inks[0]: lacks \"name\"");
+  expect(color, "\"color\": \"rot\"}]", "inks[0].color: takes a colour #rrggbb");
+  expect(color, "\"color\": \"#ff0000\"}, {\"name\": \"Burin Red\", \"color\": \"#00ff00\"}]",
+         "inks[1].name: is 'Burin Red', as that of another ink");
+  expect(color, "\"color\": \"#ff0000\"}, 7]", "inks[1]: takes an object");
+}
+
 TEST(FilledAreas, OfSpotInksAreSeparationsInPdf) {
   const std::string pdf = written(inked(), "pdf");
   EXPECT_NE(pdf.find("/I0 [/Separation /Burin#20Red /DeviceRGB"), std::string::npos);

@@ -22,8 +22,14 @@ std::vector<std::string> color_names();
 /// "#rrggbb" for a name of a colour, in letters of any case; any other text as it is.
 std::string without_name(std::string_view text);
 
+/// Whether it is black, white or between them.
+bool is_grey(const Rgb& color);
+
 /// "#rrggbb".
 std::string to_text(const Rgb& color);
+
+/// What is wrong with the name of a spot ink, as in "takes a name of ..."; empty: nothing.
+std::string fault_of_ink(std::string_view name);
 
 /// The colour with `share` of its lightness and of its chroma as the eye sees them, its hue kept.
 /// `share`: 0 (black) to 1. @cite Ottosson2020
