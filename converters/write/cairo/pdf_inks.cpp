@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -46,6 +48,18 @@ class Inks {
     return static_cast<std::size_t>(ink - inks_.begin());
   }
 
+  /// That of a line: the one of its colour, first the one that its part is printed in. Greys are
+  /// black but for hatching, whose colour was chosen for it. Nothing: the line is in no spot ink.
+  std::optional<std::size_t> of_line(const Shape& shape, const std::string& of_part) const {
+    const bool hatches = shape.path && shape.path->kind == LineClass::Pattern;
+    if (is_grey(shape.color) && !(hatches && !shape.path->color.empty())) return std::nullopt;
+    const auto is_that = [&](const SpotInk& ink) { return rgb_of(ink.color) == shape.color; };
+    if (const auto own = place(of_part); own && is_that(inks_[*own])) return own;
+    const auto ink = std::ranges::find_if(inks_, is_that);
+    if (ink == inks_.end()) return std::nullopt;
+    return static_cast<std::size_t>(ink - inks_.begin());
+  }
+
   std::string resources() const {
     std::string spaces, states;
     for (std::size_t i = 0; i < inks_.size(); ++i) {
@@ -73,6 +87,7 @@ class Inks {
 class Page {
  public:
   Page(const Drawing& drawing, const Inks& inks) : inks_(inks) {
+    for (const Area& area : drawing.areas) of_parts_.try_emplace(area.part, area.ink);
     append(out_, fmt::format("{0:.6f} 0 0 {0:.6f} 0 0 cm 1 J 1 j\n", kPointsPerMm));
     if (drawing.paper_color == Drawing().paper_color) return;
     use(rgb_of(drawing.paper_color).value_or(Rgb{}));
@@ -81,7 +96,7 @@ class Page {
 
   void add(const Shape& shape) {
     if (shape.area) return add(*shape.area, shape.color);
-    use_line(shape.color);
+    use_line(shape);
     for (const auto& chain : shape.ink.chains) {
       const Vec2 start = chain.empty() ? shape.path->points.front() : chain.front()[0];
       point(start, 'm');
@@ -109,9 +124,9 @@ class Page {
   void add(const Area& area, const Rgb& color) {
     set("/Knock gs");
     if (const auto ink = inks_.place(area.ink)) {
-      use(fmt::format("/I{0} cs {1:.4g} scn /I{0} CS {1:.4g} SCN", *ink, area.tint));
+      use_ink(*ink, area.tint);
     } else {
-      use(color);
+      use_process(color);
     }
     for (const std::vector<Vec2>& ring : area.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) point(ring[i], i == 0 ? 'm' : 'l');
@@ -125,15 +140,26 @@ class Page {
     append(out_, "B*\n");
   }
 
-  /// Greys are tints of black, printed over what is there; white and colours are not.
-  void use_line(const Rgb& color) {
-    const bool grey = color[0] == color[1] && color[1] == color[2];
-    set(grey && color[0] < 255 ? "/Over gs" : "/Knock gs");
-    if (!grey) return use(color);
-    const double black = 1 - color[0] / 255.0;
-    use(fmt::format("0 0 0 {0:.4g} k 0 0 0 {0:.4g} K", black));
+  /// Greys are printed over what is there; white and colours are not.
+  void use_line(const Shape& shape) {
+    const Rgb& color = shape.color;
+    const auto own = shape.path ? of_parts_.find(shape.path->source.part) : of_parts_.end();
+    if (const auto ink = inks_.of_line(shape, own == of_parts_.end() ? "" : own->second)) {
+      set("/Knock gs");
+      return use_ink(*ink, 1);
+    }
+    set(is_grey(color) && color[0] < 255 ? "/Over gs" : "/Knock gs");
+    use_process(color);
   }
 
+  /// Greys are tints of black.
+  void use_process(const Rgb& color) {
+    if (!is_grey(color)) return use(color);
+    use(fmt::format("0 0 0 {0:.4g} k 0 0 0 {0:.4g} K", 1 - color[0] / 255.0));
+  }
+  void use_ink(std::size_t ink, double tint) {
+    use(fmt::format("/I{0} cs {1:.4g} scn /I{0} CS {1:.4g} SCN", ink, tint));
+  }
   void use(const Rgb& color) {
     use(fmt::format("{0:.4f} {1:.4f} {2:.4f} rg {0:.4f} {1:.4f} {2:.4f} RG", color[0] / 255.0,
                     color[1] / 255.0, color[2] / 255.0));
@@ -175,6 +201,8 @@ class Page {
   }
 
   const Inks& inks_;
+  /// What parts are printed in; empty: no spot ink.
+  std::map<std::int32_t, std::string> of_parts_;
   Buffer out_;
   std::string color_, state_;
   double width_ = -1;

@@ -77,9 +77,8 @@ void collect_inks(const Fills& fills, Drawing& drawing) {
   for (const Area& area : drawing.areas) {
     if (area.ink.empty()) continue;
     const std::string color = fills.color(static_cast<std::size_t>(area.part));
-    auto& known = colors[area.ink];
-    if (known.empty()) drawing.inks.push_back({area.ink, color});
-    known.insert(color);
+    add_ink(area.ink, color, drawing);
+    colors[area.ink].insert(color);
   }
   for (const auto& [ink, known] : colors) {
     if (known.size() < 2) continue;
@@ -199,6 +198,11 @@ void shade_areas(const Style& style, std::vector<Area>& areas) {
     if (area.tone == 0 && area.fill.empty()) area.fill = shadow_color(style);
   }
 }
+void add_ink(const std::string& name, const std::string& color, Drawing& drawing) {
+  const auto known = std::ranges::find(drawing.inks, name, &SpotInk::name);
+  if (!name.empty() && known == drawing.inks.end()) drawing.inks.push_back({name, color});
+}
+
 
 void settle_on(const Rgb& paper, Area& area) {
   const auto fill = rgb_of(area.fill);

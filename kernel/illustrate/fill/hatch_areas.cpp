@@ -97,10 +97,16 @@ class Hatcher {
   Rings over_;
 };
 
+/// Whether lines are printed in the spot ink of their part.
+bool are_inked(const Style& style) {
+  return style.fill.hatch.color == "fill" && !style.fill.ink.empty();
+}
+
 /// Empty where it is that of the sheet's ink.
 std::string line_color(const Style& style, const std::string& fill, const std::string& ink) {
   const std::string& own = style.fill.hatch.color;
   const std::string& color = own == "fill" ? fill : own.empty() ? style.line.color : own;
+  if (are_inked(style)) return color;
   return color == ink ? std::string() : color;
 }
 
@@ -129,6 +135,7 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     const auto part = static_cast<std::size_t>(key.first);
     const Style& style = part_styles.style(part);
     const std::string own = fills.color(part);
+    const std::size_t before = layer.paths.size();
     // The colour of a part goes on below those of its faces.
     Rings over;
     const bool below = role.empty() && nests(style.fill) && !part_styles.transparent(part);
@@ -142,6 +149,7 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
       Hatcher(style, line_color(style, color, drawing.ink_color), color == own ? over : Rings())
           .add(group, layer);
     }
+    if (layer.paths.size() > before && are_inked(style)) add_ink(style.fill.ink, own, drawing);
   }
   if (layer.paths.empty()) return;
   const auto known = std::ranges::find(drawing.layers, layer.name, &Layer::name);

@@ -2,6 +2,7 @@
 #include "writing.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <string>
@@ -214,6 +215,53 @@ TEST(FilledAreas, OfInksThatMeanNothingAreRefused) {
   expect(color, "\"color\": \"#ff0000\"}, {\"name\": \"Burin Red\", \"color\": \"#00ff00\"}]",
          "inks[1].name: is 'Burin Red', as that of another ink");
   expect(color, "\"color\": \"#ff0000\"}, 7]", "inks[1]: takes an object");
+}
+
+/// The operators of the one page of a PDF.
+std::string page_of(const std::string& pdf) {
+  const std::string_view begin = "stream\n", length = "/Length ";
+  const std::size_t size = std::stoul(pdf.substr(pdf.find(length) + length.size()));
+  const std::string packed = pdf.substr(pdf.find(begin) + begin.size(), size);
+  std::string out(1 << 20, '\0');
+  uLongf n = out.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &n,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  out.resize(n);
+  return out;
+}
+
+/// How often a PDF of that drawing says so.
+std::size_t count_in_pdf(const Drawing& drawing, std::string_view what) {
+  const std::string pdf = page_of(written(drawing, "pdf"));
+  std::size_t n = 0;
+  for (std::size_t at = pdf.find(what); at != std::string::npos; at = pdf.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(FilledAreas, OfGreyAreTintsOfBlackBesideSpotInks) {
+  Drawing drawing = inked();
+  drawing.areas[1].fill = "#999999";
+  EXPECT_EQ(count_in_pdf(drawing, "0 0 0 0.4 k"), 1u);
+}
+
+TEST(FilledAreas, LinesInTheColourOfASpotInkAreInIt) {
+  Drawing drawing = inked();
+  Path& line = drawing.layers.front().paths.front();
+  line.kind = LineClass::Pattern;
+  line.source.part = 0;
+  EXPECT_EQ(count_in_pdf(drawing, "/I0 cs 1 scn"), 0u);
+  line.color = "#ff0000";
+  EXPECT_EQ(count_in_pdf(drawing, "/I0 cs 1 scn"), 1u) << "all of the ink";
+  // Of two inks of one colour that of its part; a grey ink is one for hatching alone.
+  drawing.inks.insert(drawing.inks.begin(), {"Other", "#ff0000"});
+  EXPECT_EQ(count_in_pdf(drawing, "/I1 cs 1 scn"), 1u);
+  line.source.part = 7;
+  EXPECT_EQ(count_in_pdf(drawing, "/I0 cs 1 scn"), 1u);
+  drawing.inks[0].color = line.color = "#8c8c8c";
+  EXPECT_EQ(count_in_pdf(drawing, "/I0 cs 1 scn"), 1u);
+  line.kind = LineClass::Contour;
+  EXPECT_EQ(count_in_pdf(drawing, "/I0 cs 1 scn"), 0u) << "black lines print over all";
 }
 
 TEST(FilledAreas, OfSpotInksAreSeparationsInPdf) {

@@ -370,6 +370,20 @@ TEST(Fills, OfFacesAreHatchedOnceInTheirColours) {
   EXPECT_NEAR(painted, hatched(draw(scene, style)), 1e-3 * painted);
 }
 
+TEST(Fills, HatchedInTheColourOfAnInkAreInIt) {
+  Style style = builtin_style("flat");
+  style.fill.color = "#000000";
+  style.fill.ink = "Spot";
+  style.fill.opacity = 0;
+  style.fill.hatch.lines = FillHatch::Lines::Lines;
+  EXPECT_TRUE(draw(row_of_boxes(), style).inks.empty()) << "nothing is printed in it";
+  style.fill.hatch.color = "fill";
+  const Drawing drawing = draw(row_of_boxes(), style);
+  EXPECT_EQ(drawing.inks, (std::vector<SpotInk>{{"Spot", "#000000"}}));
+  ASSERT_EQ(drawing.layers.front().name, "fill-hatch");
+  EXPECT_EQ(drawing.layers.front().paths.front().color, "#000000") << "that of the sheet says less";
+}
+
 TEST(Fills, LightnessIsThatOfTheEye) {
   // In OKLab the lightness of a grey is the cube root of its light: half as light is an eighth.
   EXPECT_EQ(with_lightness({255, 255, 255}, 1), (Rgb{255, 255, 255}));
