@@ -96,8 +96,22 @@ void set_looks(Draft& draft, const Asked& asked) {
 constexpr const char* kInBackground =
     R"({"line.color": "#8c8c8c", "line.outer": 0.25, "line.contour": 0.15, "line.crease": 0.12,
         "line.boundary": 0.15, "line.smooth": 0.09, "line.intersection": 0.12,
-        "fill.color": "#f4f4f4", "fill.legend": false, "tone.steps": "none"})";
+        "fill.color": "#f4f4f4", "fill.ink": "", "fill.legend": false, "tone.steps": "none"})";
 constexpr const char* kHighlight = "orange";
+
+// The look of parts in a colour as it is called; empty: none is. A style that prints in a spot ink
+// has that one for them then. Another colour is an ink of its own, but for greys: those are black.
+std::string highlighted(const FillOptions& fill, const std::string& called) {
+  const std::string color = without_name(called);
+  const bool inked = !fill.ink.empty();
+  if (called.empty()) {
+    return fmt::format(R"({{"fill.color": "{}"}})",
+                       inked && rgb_of(fill.color) ? fill.color : without_name(kHighlight));
+  }
+  const Rgb rgb = rgb_of(color).value_or(Rgb{});
+  const std::string ink = inked && !is_grey(rgb) ? "Highlight " + called : "";
+  return fmt::format(R"({{"fill.color": "{}", "fill.ink": "{}"}})", color, ink);
+}
 
 /// NAME or NAME=COLOUR; a selector may have an equals sign itself: @color=#ff0000.
 void set_highlights(Draft& draft, const Asked& asked) {
@@ -108,9 +122,8 @@ void set_highlights(Draft& draft, const Asked& asked) {
     const std::size_t equals = text.rfind('=');
     const bool is_selector =
         equals == std::string::npos || (text.starts_with('@') && text.find('=') == equals);
-    const std::string color = without_name(is_selector ? std::string_view(kHighlight)
-                                                       : std::string_view(text).substr(equals + 1));
-    if (!rgb_of(color) || equals == 0) {
+    const std::string called = is_selector ? std::string() : text.substr(equals + 1);
+    if ((!is_selector && !rgb_of(without_name(called))) || equals == 0) {
       refuse_value(asked.spelled,
                    fmt::format("NAME or NAME=COLOUR, a colour #rrggbb or {}",
                                fmt::join(color_names(), ", ")),
@@ -118,7 +131,7 @@ void set_highlights(Draft& draft, const Asked& asked) {
     }
     draft.looks.push_back(
         {.look = {.select = {is_selector ? text : text.substr(0, equals)}, .hatched = true},
-         .style_text = fmt::format(R"({{"fill.color": "{}"}})", color),
+         .style_text = highlighted(draft.plan.style.fill, called),
          .style_source = "highlight"});
   }
 }

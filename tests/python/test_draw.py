@@ -58,6 +58,22 @@ class Areas(unittest.TestCase):
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] in of_bolts}, {"#3b7dd8"})
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] not in of_bolts}, {"#f4f4f4"})
 
+    def test_highlights_of_a_style_with_a_spot_ink_are_printed_in_inks(self):
+        def inks_of(highlight):
+            drawing = burin.draw(SAMPLES / "coupling.step", style="duotone", highlight=highlight)
+            self.assertEqual([d["code"] for d in drawing.diagnostics if d["code"].startswith("fill.")], [])
+            names = {part["id"]: part["name"] for part in drawing.parts}
+            found = {True: set(), False: set()}
+            for area in drawing.areas:
+                found[names[area["part"]].startswith("bolt")].add((area["ink"], area["fill"]))
+            self.assertEqual(found[False], {("", "#f4f4f4")})
+            darkest = [fill for ink, fill in found[True] if fill in ("#0078bf", "#3b7dd8", "#000000")]
+            return {ink for ink, fill in found[True]}, darkest
+
+        self.assertEqual(inks_of(["bolt"]), ({"Spot"}, ["#0078bf"]))
+        self.assertEqual(inks_of({"bolt": "blue"}), ({"Highlight blue"}, ["#3b7dd8"]))
+        self.assertEqual(inks_of({"bolt": "black"}), ({""}, ["#000000"]))
+
     @unittest.skipUnless(shutil.which("gs"), "needs Ghostscript")
     def test_a_spot_ink_has_a_plate_of_its_own(self):
         drawing = burin.draw(SAMPLES / "coupling.step", style="duotone")
