@@ -71,6 +71,24 @@ double light_of(const FillOptions& fill, std::int32_t tone) {
   return std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));
 }
 
+/// That faces which are coloured otherwise than their part are printed as the part is.
+void tell_of_faces(const Fills& fills, const PartStyles& part_styles, Drawing& drawing) {
+  std::map<std::string, std::set<std::int32_t>> inks;
+  for (const Area& area : drawing.areas) {
+    const auto part = static_cast<std::size_t>(area.part);
+    const FillOptions& fill = part_styles.style(part).fill;
+    if (area.fill.empty() || fill.color != "part" || fill.ink.empty()) continue;
+    if (area.fill != fills.color(part)) inks[fill.ink].insert(area.part);
+  }
+  for (const auto& [ink, parts] : inks) {
+    drawing.diagnostics.add(
+        Severity::Warning, "fill.ink_faces", static_cast<std::int64_t>(parts.size()),
+        fmt::format("{} part{} faces with colours of their own, which the spot ink '{}' (fill.ink) "
+                    "cannot show: they are tints of it like the rest of their part",
+                    parts.size(), parts.size() == 1 ? " has" : "s have", ink));
+  }
+}
+
 /// The colours of all inks that areas are printed in, those of one ink once.
 void collect_inks(const Fills& fills, Drawing& drawing) {
   std::map<std::string, std::set<std::string>> colors;
@@ -136,8 +154,9 @@ std::vector<std::string> Fills::colors(std::size_t part) const {
 void Fills::paint(Area& area) const {
   const auto part = static_cast<std::size_t>(area.part);
   const FillOptions& fill = part_styles_.style(part).fill;
-  // That of faces which are coloured otherwise than their part is known by now.
-  if (fill.color != "part" || area.fill.empty()) area.fill = color(part);
+  // That of faces which are coloured otherwise than their part is known by now. An ink has one.
+  const bool own = fill.color == "part" && fill.ink.empty();
+  if (!own || area.fill.empty()) area.fill = color(part);
   const auto rgb = rgb_of(area.fill);
   if (!rgb || fill.opacity <= 0) {
     area.fill.clear();
@@ -179,9 +198,15 @@ bool paints(const PartStyles& part_styles) {
   return false;
 }
 
+void add_ink(const std::string& name, const std::string& color, Drawing& drawing) {
+  const auto known = std::ranges::find(drawing.inks, name, &SpotInk::name);
+  if (!name.empty() && known == drawing.inks.end()) drawing.inks.push_back({name, color});
+}
+
 void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing) {
   const Fills fills(scene, part_styles);
   std::vector<Area>& areas = drawing.areas;
+  tell_of_faces(fills, part_styles, drawing);
   for (Area& area : areas) fills.paint(area);
   collect_inks(fills, drawing);
   // Glass comes first, the foremost before what is seen through it; it is painted last.
@@ -198,16 +223,12 @@ void shade_areas(const Style& style, std::vector<Area>& areas) {
     if (area.tone == 0 && area.fill.empty()) area.fill = shadow_color(style);
   }
 }
-void add_ink(const std::string& name, const std::string& color, Drawing& drawing) {
-  const auto known = std::ranges::find(drawing.inks, name, &SpotInk::name);
-  if (!name.empty() && known == drawing.inks.end()) drawing.inks.push_back({name, color});
-}
-
 
 void settle_on(const Rgb& paper, Area& area) {
   const auto fill = rgb_of(area.fill);
   if (fill && area.opacity >= 1) return;
   area.fill = to_text(fill ? over(*fill, area.opacity, paper) : paper);
+  area.tint *= area.opacity;
   area.opacity = 1;
 }
 

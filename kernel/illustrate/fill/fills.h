@@ -57,7 +57,8 @@ bool paints(const PartStyles& part_styles);
 void add_ink(const std::string& name, const std::string& color, Drawing& drawing);
 
 /// Gives the areas of a drawing their colours and inks, and brings them into the order of painting:
-/// what can be looked through over what is behind it. Tells of an ink that has several colours.
+/// what can be looked through over what is behind it. Tells of an ink that has several colours, or
+/// stands for faces that have colours of their own.
 void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing);
 
 /// Gives the shade of parts without a colour the colour of shadows.

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,9 +38,10 @@ Scene row_of_boxes() {
   return scene;
 }
 
-Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> looks = {}) {
+Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> looks = {},
+             const char* view = "front") {
   RunContext context;
-  const NamedView v = named_view("front");
+  const NamedView v = named_view(view);
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                                     {.direction = v.direction, .up = v.up, .paper = {150, 100}});
   return illustrate(scene, camera, style, {.part_styles = std::move(looks)}, context);
@@ -209,6 +211,38 @@ TEST(Fills, OfOneInkInTwoColoursAreTold) {
   EXPECT_ANY_THROW(check_style(style)) << "a name in PDF has 127 bytes";
   style.fill.ink = "All";
   EXPECT_ANY_THROW(check_style(style));
+}
+
+TEST(Fills, FacesThatAnInkCannotShowAreTold) {
+  Style style = builtin_style("flat");
+  const auto told = [&] {
+    const Drawing drawing = draw(painted_plate(), style);
+    std::set<std::string> colors;
+    for (const Area& area : drawing.areas) colors.insert(area.fill);
+    const auto& all = drawing.diagnostics.entries();
+    const auto said = std::ranges::count(all, "fill.ink_faces", &Diagnostic::code);
+    return std::pair(static_cast<int>(said), colors.size());
+  };
+  EXPECT_EQ(told(), std::pair(0, std::size_t{3}));
+  style.fill.ink = "Spot";
+  EXPECT_EQ(told(), std::pair(1, std::size_t{1})) << "one tint of one ink, as it is printed";
+  style.fill.color = "#ff0000";
+  EXPECT_EQ(told(), std::pair(0, std::size_t{1})) << "no faces were asked for";
+}
+
+TEST(Fills, OfAnInkOnAShadowOfTheGroundAreMixedWithThePaper) {
+  Style style = builtin_style("duotone");
+  style.fill.steps = 0;
+  style.fill.opacity = 0.5;
+  style.fill.tint = 0.6;
+  style.shadow.ground = true;
+  const Drawing drawing = draw(row_of_boxes(), style, {}, "iso");
+  ASSERT_EQ(drawing.areas.front().part, -1) << "the shadow";
+  for (const Area& area : drawing.areas) {
+    if (area.part < 0) continue;
+    EXPECT_EQ(area.opacity, 1);
+    EXPECT_NEAR(area.tint, 0.3, 1e-12);
+  }
 }
 
 TEST(Fills, TheLegendHasCopiesOnceAndLeavesOutWhatItIsToldTo) {
