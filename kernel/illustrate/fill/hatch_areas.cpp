@@ -128,6 +128,7 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
   std::map<std::pair<std::int32_t, std::int32_t>, std::map<std::string, Group>> faces;
   for (const Area& area : drawing.areas) {
     if (area.part < 0 || area.role != role) continue;
+    if (part_styles.transparent(static_cast<std::size_t>(area.part))) continue;
     faces[{area.part, area.face}][fills.color(area)].push_back(&area);
   }
   Layer layer{kLayer, {}};
@@ -138,7 +139,7 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     const std::size_t before = layer.paths.size();
     // The colour of a part goes on below those of its faces.
     Rings over;
-    const bool below = role.empty() && nests(style.fill) && !part_styles.transparent(part);
+    const bool below = role.empty() && nests(style.fill);
     for (const auto& [color, group] : groups) {
       if (!below || color == own) continue;
       const Rings& rings = whole_of(group, style.fill).rings;

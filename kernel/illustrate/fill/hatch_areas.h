@@ -14,8 +14,9 @@ namespace burin::detail {
 /// Whether any part that is drawn has such lines.
 bool hatches(const PartStyles& part_styles);
 
-/// Adds the layer "fill-hatch", below all others, with lines over the areas of a drawing; they have
-/// no points in the model. Lines in the colour of a part with a spot ink are in that
+/// Adds the layer "fill-hatch", below all others, with lines over the areas of a drawing but those
+/// that are looked through; they have no points in the model. Lines in the colour of a part with a
+/// spot ink are in that
 /// (`Drawing::inks`). Darker areas lie in lighter ones of their part (`areas_of`), so that the
 /// lightest one with lines is hatched in one go, and darker ones beside that where lines cross;
 /// what lies over the colour of a part has lines of its own. `role`: that of the areas; those of ""

@@ -418,6 +418,20 @@ TEST(Fills, HatchedInTheColourOfAnInkAreInIt) {
   EXPECT_EQ(drawing.layers.front().paths.front().color, "#000000") << "that of the sheet says less";
 }
 
+TEST(Fills, OfGlassAreNotHatched) {
+  Style style = builtin_style("shaded");
+  style.fill.hatch.lines = FillHatch::Lines::Lines;
+  style.fill.hatch.tones = 2;
+  std::vector<PartStyle> looks(4);
+  looks[1].transparent = true;
+  std::set<std::int32_t> hatched;
+  for (const Layer& layer : draw(row_of_boxes(), style, looks).layers) {
+    if (layer.name != "fill-hatch") continue;
+    for (const Path& path : layer.paths) hatched.insert(path.source.part);
+  }
+  EXPECT_EQ(hatched, (std::set<std::int32_t>{0, 2, 3}));
+}
+
 TEST(Fills, LightnessIsThatOfTheEye) {
   // In OKLab the lightness of a grey is the cube root of its light: half as light is an eighth.
   EXPECT_EQ(with_lightness({255, 255, 255}, 1), (Rgb{255, 255, 255}));
