@@ -87,6 +87,11 @@ Json json_of(const std::vector<Text>& texts) {
   return list;
 }
 
+Json json_of(const InkTint& ink) {
+  if (ink.ink.empty()) return nullptr;
+  return {{"name", ink.ink}, {"tint", ink.tint}};
+}
+
 Json json_of(const LineDifference& difference) {
   Json json;
   json["tolerance"]["line"] = difference.tolerance;
@@ -113,9 +118,16 @@ Json json_of(const LineDifference& difference) {
     Json one;
     one["part"] = fill.part;
     one["color"] = Json::array({fill.before, fill.after});
+    if (!fill.ink_before.ink.empty() || !fill.ink_after.ink.empty()) {
+      one["ink"] = Json::array({json_of(fill.ink_before), json_of(fill.ink_after)});
+    }
     one["size"] = fill.size;
     one["at"] = Json::array({fill.at.x, fill.at.y});
     json["fills"].push_back(one);
+  }
+  json["inks"] = Json::array();
+  for (const ChangedInk& ink : difference.inks) {
+    json["inks"].push_back({{"name", ink.name}, {"color", {ink.before, ink.after}}});
   }
   json["texts_new"] = json_of(difference.texts_new);
   json["texts_gone"] = json_of(difference.texts_gone);

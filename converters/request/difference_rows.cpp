@@ -97,6 +97,22 @@ std::string what_of(const PartDifference& part) {
   return text;
 }
 
+/// "Spot 15 %".
+std::string ink_text(const InkTint& ink) {
+  return ink.ink.empty() ? "none" : fmt::format("{} {:.4g} %", ink.ink, 100 * ink.tint);
+}
+
+std::string change_text(const ChangedFill& fill) {
+  std::string text;
+  if (fill.before != fill.after) {
+    add(text, fmt::format("colour {} to {}", color_text(fill.before), color_text(fill.after)));
+  }
+  if (fill.ink_before != fill.ink_after) {
+    add(text, fmt::format("ink {} to {}", ink_text(fill.ink_before), ink_text(fill.ink_after)));
+  }
+  return text;
+}
+
 /// One row a part: its largest change of colour, and how much of it has changed.
 void add_fill_rows(const std::vector<ChangedFill>& fills, std::vector<DifferenceRow>& rows) {
   for (auto first = fills.begin(); first != fills.end();) {
@@ -105,8 +121,7 @@ void add_fill_rows(const std::vector<ChangedFill>& fills, std::vector<Difference
     double size = 0;
     for (auto it = first; it != last; ++it) size += it->size;
     const auto more = static_cast<std::size_t>(last - first) - 1;
-    std::string what =
-        fmt::format("colour {} to {}", color_text(first->before), color_text(first->after));
+    std::string what = change_text(*first);
     if (more > 0) what += fmt::format(" and {} more", more);
     rows.push_back({0, "changed", first->part.empty() ? "shadow" : first->part,
                     fmt::format("{}, {:.4g} mm2", what, size)});
@@ -146,6 +161,13 @@ std::vector<DifferenceRow> rows_of(const LineDifference& difference) {
     rows.push_back({0, to_string(change), part.empty() ? layer : part + ", " + layer, what});
   }
   add_fill_rows(difference.fills, rows);
+  for (const ChangedInk& ink : difference.inks) {
+    const char* how = ink.before.empty() ? "new" : ink.after.empty() ? "gone" : "changed";
+    const std::string what = ink.before.empty() || ink.after.empty()
+                                 ? "colour " + ink.before + ink.after
+                                 : fmt::format("colour {} to {}", ink.before, ink.after);
+    rows.push_back({0, how, "ink " + ink.name, what});
+  }
   for (const Text& text : difference.texts_new) {
     rows.push_back({0, "new", "text", fmt::format("'{}'", text.text)});
   }
@@ -186,6 +208,9 @@ std::string counts_of(const LineDifference& difference) {
   std::set<std::string> parts;
   for (const ChangedFill& fill : difference.fills) parts.insert(fill.part);
   if (!parts.empty()) text += fmt::format(", {} of other colours", plural(parts.size(), "part"));
+  if (const std::size_t n = difference.inks.size(); n > 0) {
+    text += ", " + plural(n, "changed spot ink");
+  }
   const std::size_t texts = difference.texts_new.size() + difference.texts_gone.size();
   if (texts > 0) text += fmt::format(", {} of texts", plural(texts, "change"));
   return text;

@@ -31,6 +31,8 @@ class Painted {
     /// Empty: nothing is painted.
     std::string color;
     std::int32_t part = -1;
+    InkTint ink = {};
+    bool looks_as(const Seen& other) const { return color == other.color && ink == other.ink; }
   };
   Seen at(Vec2 p) const {
     Seen seen;
@@ -40,14 +42,14 @@ class Painted {
       const auto fill = is_painted(area) ? rgb_of(area.fill) : std::nullopt;
       if (!fill) continue;
       color = over(*fill, area.opacity, color);
-      seen = {to_text(color), area.part};
+      seen = {to_text(color), area.part, {area.ink, area.ink.empty() ? 1 : area.tint}};
     }
     return seen;
   }
   /// Whether the colour is one within `reach`.
-  bool even(Vec2 p, double reach, const std::string& color) const {
+  bool even(Vec2 p, double reach, const Seen& seen) const {
     for (const Vec2 way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-      if (at(p + reach * way).color != color) return false;
+      if (!at(p + reach * way).looks_as(seen)) return false;
     }
     return true;
   }
@@ -84,17 +86,17 @@ std::vector<ChangedFill> compare_fills(const Drawing& before, const Drawing& aft
   if (!other.empty()) box.add(other);
   if (box.empty()) return {};
   const Painted was(before), is(after);
-  std::map<std::tuple<std::string, std::string, std::string>, ChangedFill> found;
+  std::map<std::tuple<std::string, std::string, std::string, InkTint, InkTint>, ChangedFill> found;
   for (double y = box.min.y + kStep / 2; y < box.max.y; y += kStep) {
     context.check();
     for (double x = box.min.x + kStep / 2; x < box.max.x; x += kStep) {
       const Vec2 p(x, y);
       const Painted::Seen a = was.at(p), b = is.at(p);
-      if (a.color == b.color) continue;
-      if (!was.even(p, tolerance, a.color) || !is.even(p, tolerance, b.color)) continue;
+      if (a.looks_as(b)) continue;
+      if (!was.even(p, tolerance, a) || !is.even(p, tolerance, b)) continue;
       const std::string part = b.color.empty() ? was.part(a.part) : is.part(b.part);
-      ChangedFill& fill = found[{part, a.color, b.color}];
-      if (fill.size == 0) fill = {part, a.color, b.color, 0, p};
+      ChangedFill& fill = found[{part, a.color, b.color, a.ink, b.ink}];
+      if (fill.size == 0) fill = {part, a.color, b.color, a.ink, b.ink, 0, p};
       fill.size += kStep * kStep;
     }
   }
@@ -103,6 +105,17 @@ std::vector<ChangedFill> compare_fills(const Drawing& before, const Drawing& aft
   std::ranges::stable_sort(out, [](const ChangedFill& a, const ChangedFill& b) {
     return std::tuple(a.part, -a.size) < std::tuple(b.part, -b.size);
   });
+  return out;
+}
+
+std::vector<ChangedInk> compare_inks(const Drawing& before, const Drawing& after) {
+  std::map<std::string, ChangedInk> inks;
+  for (const SpotInk& ink : before.inks) inks[ink.name].before = ink.color;
+  for (const SpotInk& ink : after.inks) inks[ink.name].after = ink.color;
+  std::vector<ChangedInk> out;
+  for (auto& [name, ink] : inks) {
+    if (ink.before != ink.after) out.push_back({name, ink.before, ink.after});
+  }
   return out;
 }
 

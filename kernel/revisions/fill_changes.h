@@ -17,6 +17,9 @@ std::string part_name(const Drawing& drawing, std::int32_t id);
 std::vector<ChangedFill> compare_fills(const Drawing& before, const Drawing& after,
                                        double tolerance, const RunContext& context);
 
+/// The spot inks of each drawing that the other has not, or in another colour.
+std::vector<ChangedInk> compare_inks(const Drawing& before, const Drawing& after);
+
 /// The areas of parts whose colours have changed, as the new drawing paints them, and the borders
 /// of what either paints of them.
 struct FillPicture {

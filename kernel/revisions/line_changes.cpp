@@ -112,6 +112,7 @@ class Comparison {
     }
     compare_texts();
     out_.fills = detail::compare_fills(before_, after_, out_.tolerance, context_);
+    out_.inks = detail::compare_inks(before_, after_);
     out_.same_sheet =
         before_.paper_width == after_.paper_width && before_.paper_height == after_.paper_height;
     return std::move(out_);

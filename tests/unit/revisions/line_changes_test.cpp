@@ -229,6 +229,34 @@ TEST(LineChanges, AnotherToneAndAnotherOpacityOfAPart) {
   EXPECT_EQ(opacity.fills[0].after, "#c0d0e0") << "mixed with the paper";
 }
 
+TEST(LineChanges, AnotherInkOrTintThatLooksTheSame) {
+  Drawing before = painted("#80a0c0");
+  before.inks = {{"Spot", "#0040a0"}};
+  before.areas[0].ink = "Spot";
+  before.areas[0].tint = 0.5;
+  EXPECT_TRUE(compared(before, before).same());
+  Drawing after = before;
+  after.areas[0].tint = 0.6;
+  const LineDifference tint = compared(before, after);
+  ASSERT_EQ(tint.fills.size(), 1U);
+  EXPECT_EQ(tint.fills[0].part, "block");
+  EXPECT_EQ(tint.fills[0].ink_before, (InkTint{"Spot", 0.5}));
+  EXPECT_EQ(tint.fills[0].ink_after, (InkTint{"Spot", 0.6}));
+  EXPECT_TRUE(tint.inks.empty());
+  after = before;
+  after.inks[0].name = after.areas[0].ink = "Reflex Blue";
+  const LineDifference ink = compared(before, after);
+  ASSERT_EQ(ink.fills.size(), 1U);
+  EXPECT_EQ(ink.fills[0].ink_after, (InkTint{"Reflex Blue", 0.5}));
+  ASSERT_EQ(ink.inks.size(), 2U);
+  EXPECT_EQ(ink.inks[0].name, "Reflex Blue");
+  EXPECT_EQ(ink.inks[0].before, "");
+  EXPECT_EQ(ink.inks[1].after, "");
+  after = before;
+  after.inks[0].color = "#ff0000";
+  EXPECT_FALSE(compared(before, after).same()) << "the plate is another one";
+}
+
 TEST(LineChanges, AColourThatIsNewOrGone) {
   const LineDifference added = compared(square(), painted("#80a0c0")),
                        gone = compared(painted("#80a0c0"), square());

@@ -31,12 +31,26 @@ struct ChangedLine {
   double distance = 0;
 };
 
+/// The tint of a spot ink that a place is printed in; of no name: no ink.
+struct InkTint {
+  std::string ink = {};
+  double tint = 1;
+  auto operator<=>(const InkTint&) const = default;
+};
+
+/// A spot ink that is not the same; a colour is empty in the drawing that has no such ink.
+struct ChangedInk {
+  std::string name, before, after;
+};
+
 /// What the flat colours of a part have become.
 struct ChangedFill {
   /// Of the new drawing where that paints a part there, else of the old one; empty: a shadow.
   std::string part;
   /// "#rrggbb" as seen, mixed with what lies beneath; empty: nothing is painted.
   std::string before, after;
+  /// What that is printed in.
+  InkTint ink_before, ink_after;
   /// Paper mm^2, and a place in them.
   double size = 0;
   Vec2 at{0};
@@ -46,6 +60,8 @@ struct LineDifference {
   std::vector<ChangedLine> lines;
   /// By part, then the largest first.
   std::vector<ChangedFill> fills;
+  /// By name.
+  std::vector<ChangedInk> inks;
   /// Paths, and paper mm, by `LineChange`.
   std::array<std::size_t, kLineChanges> counts{};
   std::array<double, kLineChanges> lengths{};
@@ -56,7 +72,8 @@ struct LineDifference {
   double tolerance = 0;
 
   bool same() const {
-    return lines.empty() && fills.empty() && texts_new.empty() && texts_gone.empty() && same_sheet;
+    return lines.empty() && fills.empty() && inks.empty() && texts_new.empty() &&
+           texts_gone.empty() && same_sheet;
   }
 };
 
@@ -65,8 +82,9 @@ struct LineDifference {
 /// but for stretches of less than twice that; it has moved where a path of the same part, kind,
 /// face and edge, and about the same length, is gone within 20 mm of it. Widths and the order of
 /// layers do not count. Flat colours are compared every 0.5 mm, farther than `tolerance` from where
-/// one of the drawings changes its colour. Throws Cancelled. Cost: 0.2 us a question, two of which
-/// a tolerance of line.
+/// one of the drawings changes its colour; a place in another tint of a spot ink, or in another
+/// one, has changed, too. Throws Cancelled. Cost: 0.2 us a question, two of which a tolerance of
+/// line.
 LineDifference compare_drawings(const Drawing& before, const Drawing& after, double tolerance,
                                 const RunContext& context);
 
