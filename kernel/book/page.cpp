@@ -220,11 +220,8 @@ class Page {
   /// Draws parts of a scene in a box of the sheet.
   Drawing draw_in(const Scene& scene, const IllustrateOptions& options, const ViewOptions& view,
                   const Box2& box) const {
-    const Camera camera = Camera::fit(
-        [&](const Mat3& axes) {
-          return bounds_with_shadow(scene, maker_.style, options.part_styles, axes);
-        },
-        view);
+    const Camera camera =
+        Camera::fit(extent_with_shadow(scene, maker_.style, options.part_styles, view), view);
     return illustrate(scene, camera.on_sheet(maker_.book.view.paper, box.min), maker_.style,
                       options, maker_.context);
   }

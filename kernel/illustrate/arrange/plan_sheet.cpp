@@ -22,11 +22,10 @@ Margin margin_of(const Margin& m, const Illustration& illustration) {
   return illustration.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
 }
 
-/// What is drawn, with its shadow on the ground where there is one.
-Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration) {
-  return [&](const Mat3& axes) {
-    return bounds_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, axes);
-  };
+/// What is drawn in a view, with its shadow on the ground where there is one.
+Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration,
+                           const ViewOptions& view) {
+  return extent_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, view);
 }
 
 /// The margin with the room that callouts and the parts list need.
@@ -59,7 +58,7 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
 
 /// The camera of a view that has the sheet for itself.
 Camera lone_camera(const Scene& scene, const Illustration& illustration) {
-  const Camera::ExtentFn extent = extent_of(scene, illustration);
+  const Camera::ExtentFn extent = extent_of(scene, illustration, illustration.view);
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
     return Camera::fit(extent,
@@ -133,8 +132,8 @@ class SheetPlanner {
 
  private:
   /// With the places that are drawn again where their circles need room.
-  Camera::ExtentFn extent() const {
-    return [this, of = extent_of(scene_, illustration_)](const Mat3& axes) {
+  Camera::ExtentFn extent(const ViewOptions& view) const {
+    return [this, of = extent_of(scene_, illustration_, view)](const Mat3& axes) {
       Box3 box = of(axes);
       if (!with_circles_) return box;
       for (const detail::PlannedDetail& detail : details_) {
@@ -174,13 +173,17 @@ class SheetPlanner {
     return view;
   }
 
+  ViewOptions first_view() const {
+    return illustration_.views.empty() ? illustration_.view
+                                       : options_of(illustration_.views.front());
+  }
+
   /// As the first view looks; its place and scale are settled later.
   Camera first_camera() const {
-    ViewOptions view =
-        illustration_.views.empty() ? illustration_.view : options_of(illustration_.views.front());
+    ViewOptions view = first_view();
     view.perspective.reset();
     view.margin = 0;
-    return Camera::fit(extent(), view);
+    return Camera::fit(extent(view), view);
   }
 
   /// A camera whose picture stands in the middle of a box.
@@ -188,7 +191,7 @@ class SheetPlanner {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
     view.margin = 0;
-    return Camera::fit(extent(), view).on_sheet(sheet, box.min);
+    return Camera::fit(extent(view), view).on_sheet(sheet, box.min);
   }
 
   void place_one() {
@@ -210,8 +213,8 @@ class SheetPlanner {
     std::vector<GridView> views;
     const std::size_t numbered = view_with_callouts();
     for (const std::string& name : illustration_.views) {
-      const Camera camera = in_box(options_of(name), frame);
-      const Vec3 size = extent()(axes_of(camera)).size();
+      const ViewOptions options = options_of(name);
+      const Vec3 size = extent(options)(axes_of(in_box(options, frame))).size();
       GridView view{name, {size.x, size.y}, Vec2(0)};
       if (views.size() == numbered)
         view.room = callout_capacity_of(illustration_, 0.5 * frame.size());
@@ -240,7 +243,7 @@ class SheetPlanner {
   void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
-    const Vec3 size = extent_of(scene_, illustration_)(axes_of(main)).size();
+    const Vec3 size = extent_of(scene_, illustration_, first_view())(axes_of(main)).size();
     const double drawn = main.scale() * std::max(size.x, size.y);
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });

@@ -1,6 +1,7 @@
 /// The shadow on an invisible ground under the parts.
 
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "burin_test/ring_size.h"
@@ -64,6 +65,30 @@ TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
   const double model = w * d + h / l.z * (std::abs(l.x) * d + std::abs(l.y) * w);
   const double paper = model * kScale * kScale * seen.to_viewer.z;
   EXPECT_NEAR(std::abs(test::signed_area(*shadow)) / paper, 1, 1e-3);
+}
+
+TEST(GroundShadow, AndItsPartsFillTheSheetInPerspectiveToo) {
+  const Scene scene = boxes({{{0, 0, 0}, {30, 20, 40}}});
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  for (const double angle : {0.0, 5.0, 40.0}) {
+    const NamedView v = named_view("iso");
+    ViewOptions view{.direction = v.direction, .up = v.up, .paper = {200, 200}};
+    if (angle > 0) view.perspective = angle;
+    RunContext context;
+    const Camera camera = Camera::fit(extent_with_shadow(scene, style, {}, view), view);
+    const Drawing drawing = illustrate(scene, camera, style, {}, context);
+    ASSERT_TRUE(shadow_of(drawing)) << angle;
+    Box2 box;
+    for (const Area& area : drawing.areas) {
+      for (const std::vector<Vec2>& ring : area.rings) {
+        for (const Vec2& p : ring) box.add(p);
+      }
+    }
+    EXPECT_NEAR(std::max(box.size().x, box.size().y), 180, 2) << angle;
+    EXPECT_GT(std::min(box.min.x, box.min.y), 9.9) << angle;
+    EXPECT_LT(std::max(box.max.x, box.max.y), 190.1) << angle;
+  }
 }
 
 TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {

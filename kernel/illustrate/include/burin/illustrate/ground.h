@@ -5,6 +5,7 @@
 #include <burin/base/box.h>
 #include <burin/base/placement.h>
 #include <burin/base/vec.h>
+#include <burin/camera/camera.h>
 #include <burin/illustrate/illustrate.h>
 
 namespace burin {
@@ -17,8 +18,10 @@ bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer);
 /// `to_light.z` > 0.
 Placement onto_ground(Vec3 to_light, double ground);
 
-/// `drawn_bounds` with the shadow on the ground, where the style has one: what a sheet has to hold.
-Box3 bounds_with_shadow(const Scene& scene, const Style& style,
-                        std::span<const PartStyle> part_styles, const Mat3& axes);
+/// `drawn_bounds` with the shadow on the ground, where the style has one: what the sheet of a view
+/// has to hold. All but the view must outlive it.
+Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
+                                    std::span<const PartStyle> part_styles,
+                                    const ViewOptions& view);
 
 }  // namespace burin
