@@ -178,6 +178,19 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
   EXPECT_EQ(style.fill.steps, 5);
 }
 
+TEST(Fills, OfTwoTonesLeaveTheLeftSideOfABoxInLightAndTheRightInShade) {
+  Scene scene;
+  scene.parts.push_back({"box", "a.stl", std::make_shared<MeshForm>(test::box(Vec3(0), Vec3(20)))});
+  for (const char* name : {"shaded", "manual"}) {
+    double all = 0, shade = 0;
+    for (const Area& area : draw(scene, builtin_style(name), {}, "iso").areas) {
+      if (area.part < 0) continue;
+      (area.tone > 0 ? all : shade) += std::abs(test::signed_area(area));
+    }
+    EXPECT_NEAR(shade / all, 1 / 3.0, 1e-6) << name;
+  }
+}
+
 TEST(Fills, OfAnInkAreTintsOfItTheDarkestAllOfIt) {
   Style style = builtin_style("duotone");
   style.shadow.ground = false;
