@@ -94,6 +94,23 @@ Rgb with_lightness(const Rgb& color, double share) {
   return out;
 }
 
+Rgb readable(const Rgb& color, const Rgb& ink) {
+  constexpr double kContrast = 3, kStray = 0.05;  // the share of light that any surface gives back
+  const auto light = [](const Rgb& c) {
+    return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]) + kStray;
+  };
+  const double is = light(color), other = light(ink), wanted = kContrast * other;
+  const bool seen = is >= wanted || other >= kContrast * is;
+  if (seen || wanted > 1 + kStray) return color;
+  const double white = (wanted - is) / (1 + kStray - is);
+  Rgb out{};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double own = linear(color[i]);
+    out[i] = byte_of(own + white * (1 - own));
+  }
+  return out;
+}
+
 Rgb over(const Rgb& color, double opacity, const Rgb& below) {
   Rgb out{};
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -145,8 +145,8 @@ class Colours(unittest.TestCase):
         style = {**burin.style("flat")}
         fills = lambda: {area["fill"] for area in burin.draw(scene, style=style).areas}  # noqa: E731
         self.assertGreater(len(fills()), 1)
-        part.color = "#123456"
-        self.assertEqual(fills(), {"#123456"})
+        part.color = "#7090b0"
+        self.assertEqual(fills(), {"#7090b0"})
 
 
 class Joined(unittest.TestCase):

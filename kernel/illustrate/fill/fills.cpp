@@ -157,11 +157,12 @@ void Fills::paint(Area& area) const {
   // That of faces which are coloured otherwise than their part is known by now. An ink has one.
   const bool own = fill.color == "part" && fill.ink.empty();
   if (!own || area.fill.empty()) area.fill = color(part);
-  const auto rgb = rgb_of(area.fill);
+  auto rgb = rgb_of(area.fill);
   if (!rgb || fill.opacity <= 0) {
     area.fill.clear();
     return;
   }
+  if (own) area.fill = to_text(*(rgb = readable(*rgb, ink_of(part))));
   const double light = light_of(fill, area.tone);
   area.opacity = opacity_of(scene_.parts[part], area.opacity, fill, part_styles_.transparent(part));
   if (!fill.ink.empty()) {
@@ -171,6 +172,11 @@ void Fills::paint(Area& area) const {
   } else if (light < 1) {
     area.fill = to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
   }
+}
+
+Rgb Fills::ink_of(std::size_t part) const {
+  const std::string& own = part_styles_.style(part).line.color;
+  return rgb_of(own.empty() ? part_styles_.styles().front()->sheet.ink : own).value_or(Rgb{});
 }
 
 void set_face_color(const std::string& color, Area& area) {

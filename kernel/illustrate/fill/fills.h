@@ -27,13 +27,17 @@ class Fills {
   /// yet, or a square of the legend.
   std::string color(const Area& area) const;
   /// Gives an area the colour of its part and tone, and its opacity: in a part that is looked
-  /// through that of a face of glass is its own.
+  /// through that of a face of glass is its own. Colours of the input are lighter where they would
+  /// hide the lines.
   void paint(Area& area) const;
   /// All colours that a part and its faces may have in full light, before inks, as `FaceColors` has
   /// them; its own first.
   std::vector<std::string> colors(std::size_t part) const;
 
  private:
+  /// The colour of a part's lines.
+  Rgb ink_of(std::size_t part) const;
+
   const Scene& scene_;
   const PartStyles& part_styles_;
   std::vector<std::string> own_;

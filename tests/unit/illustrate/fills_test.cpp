@@ -31,7 +31,7 @@ Scene row_of_boxes() {
         {name, "a.stl", std::make_shared<MeshForm>(test::box({x, -2, -20}, {x + 15, 2, 20}))});
     scene.parts.back().color = color;
   };
-  add("plate", 0, "#123456");
+  add("plate", 0, "#7090b0");
   add("bolt", 20, "");
   add("bolt #2", 40, "");
   add("cover", 60, "");
@@ -59,7 +59,7 @@ TEST(Fills, ThereAreNoneUnlessTheyAreAskedFor) {
 
 TEST(Fills, OfPartsAreTheirOwnOrThoseOfAPaletteTheSameForCopies) {
   const std::vector<std::string> all = fills(draw(row_of_boxes(), builtin_style("flat")));
-  EXPECT_EQ(all[0], "#123456");
+  EXPECT_EQ(all[0], "#7090b0");
   EXPECT_TRUE(rgb_of(all[1]));
   EXPECT_EQ(all[1], all[2]) << "copies of one thing";
   EXPECT_NE(all[1], all[3]);
@@ -102,7 +102,7 @@ Scene painted_plate() {
   scene.parts[0].form = std::make_shared<MeshForm>(std::move(mesh), nullptr, std::move(faces));
   scene.parts[0].color = "#00ff00";
   scene.parts[0].face_colors =
-      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff"}, {-1, 0, 1}});
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#3366ff"}, {-1, 0, 1}});
   return scene;
 }
 
@@ -120,7 +120,7 @@ TEST(Fills, OfFacesAreTheirOwn) {
   ASSERT_EQ(found.size(), 3u);
   EXPECT_NEAR(found.at("#00ff00"), 1, 1e-9) << "below the others";
   EXPECT_NEAR(found.at("#ff0000"), 150 / 800.0, 1e-4);
-  EXPECT_NEAR(found.at("#0000ff"), 200 / 800.0, 1e-4);
+  EXPECT_NEAR(found.at("#3366ff"), 200 / 800.0, 1e-4);
 }
 
 TEST(Fills, OfFacesAreThatOfTheStyleWhereItSaysOne) {
@@ -142,7 +142,7 @@ TEST(Fills, OfFacesAreKeptByMirroredAndCutParts) {
   scene.parts[0].form = cut_form(scene.parts[0].form, CutPlane{{-1, 0, 0}, 20}, 0, "plate");
   found = sizes_of_colors(draw(scene, builtin_style("flat")));
   EXPECT_NEAR(found["#ff0000"], 150 / 400.0, 1e-4);
-  EXPECT_FALSE(found.contains("#0000ff"));
+  EXPECT_FALSE(found.contains("#3366ff"));
 }
 
 TEST(Fills, OfGlassAreSeenThroughAndPaintedLast) {
@@ -176,6 +176,22 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));
   set_style_key(style, "tone.steps", "5");
   EXPECT_EQ(style.fill.steps, 5);
+}
+
+TEST(Fills, OfDarkPartsAreLighterWhereBlackLinesWouldVanish) {
+  Scene scene = row_of_boxes();
+  scene.parts[0].color = "#000000";
+  scene.parts[1].color = "#404047";
+  scene.parts[2].color = "#595959";
+  scene.parts[3].color = "#5a5a5a";
+  Style style = builtin_style("flat");
+  EXPECT_EQ(fills(draw(scene, style)),
+            (std::vector<std::string>{"#595959", "#59595d", "#595959", "#5a5a5a"}));
+  style.sheet.ink = "#ffffff";
+  EXPECT_EQ(fills(draw(scene, style))[0], "#000000") << "white lines are seen";
+  style = builtin_style("flat");
+  style.fill.color = "#000000";
+  EXPECT_EQ(fills(draw(scene, style))[0], "#000000") << "as the user says";
 }
 
 TEST(Fills, OfTwoTonesLeaveTheLeftSideOfABoxInLightAndTheRightInShade) {
@@ -266,7 +282,7 @@ TEST(Fills, TheLegendHasCopiesOnceAndLeavesOutWhatItIsToldTo) {
   const auto rows = legend_rows(scene, builtin_style("shaded"), options, items);
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].name, "plate");
-  EXPECT_EQ(rows[0].square.fill, "#123456") << "in full light";
+  EXPECT_EQ(rows[0].square.fill, "#7090b0") << "in full light";
   EXPECT_EQ(rows[1].name, "bolt");
   EXPECT_EQ(rows[1].item, 2);
   options.part_styles.resize(4);

@@ -35,6 +35,10 @@ std::string fault_of_ink(std::string_view name);
 /// `share`: 0 (black) to 1. @cite Ottosson2020
 Rgb with_lightness(const Rgb& color, double share);
 
+/// The colour, lighter where lines of a dark `ink` could not be seen on it: mixed with white until
+/// their contrast is 3 to 1. @cite WCAG21
+Rgb readable(const Rgb& color, const Rgb& ink);
+
 /// The colour that is seen where one of `opacity` (0 to 1) lies over another.
 Rgb over(const Rgb& color, double opacity, const Rgb& below);
 
