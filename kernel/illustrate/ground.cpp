@@ -14,6 +14,12 @@ Placement onto_ground(Vec3 to_light, double ground) {
   return {linear, along * ground};
 }
 
+Style style_in_grid(Style style, Vec3 to_viewer) {
+  constexpr double kAbove = 0.999;  // sine of its height
+  if (to_viewer.z > kAbove) style.shadow.ground = false;
+  return style;
+}
+
 Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view) {

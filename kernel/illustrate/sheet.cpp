@@ -1,4 +1,5 @@
 #include <burin/drawing/views.h>
+#include <burin/illustrate/ground.h>
 #include <burin/illustrate/legend.h>
 #include <burin/illustrate/sheet.h>
 
@@ -78,7 +79,8 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
   std::optional<Drawing> all;
   std::vector<SheetView> views;
   for (const PlacedView& view : sheet.views) {
-    Drawing one = draw_view(scene, view, style, options, context, kept);
+    const Style own_style = sheet.method ? style_in_grid(style, view.camera.direction()) : style;
+    Drawing one = draw_view(scene, view, own_style, options, context, kept);
     views.push_back(described(view, one));
     if (all) {
       append_view(*all, std::move(one));

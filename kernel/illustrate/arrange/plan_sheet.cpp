@@ -131,9 +131,17 @@ class SheetPlanner {
   }
 
  private:
+  /// Of several views those along the ground have no shadow on it.
+  Camera::ExtentFn extent_in_grid(const ViewOptions& view) const {
+    if (illustration_.views.empty()) return extent_of(scene_, illustration_, view);
+    return extent_with_shadow(scene_,
+                              style_in_grid(illustration_.style, glm::normalize(view.direction)),
+                              illustration_.illustrate.part_styles, view);
+  }
+
   /// With the places that are drawn again where their circles need room.
   Camera::ExtentFn extent(const ViewOptions& view) const {
-    return [this, of = extent_of(scene_, illustration_, view)](const Mat3& axes) {
+    return [this, of = extent_in_grid(view)](const Mat3& axes) {
       Box3 box = of(axes);
       if (!with_circles_) return box;
       for (const detail::PlannedDetail& detail : details_) {

@@ -260,6 +260,24 @@ TEST(Arrange, ALegendThatHasRoomForWhatIsSeenKeepsClearOfTheDrawing) {
   EXPECT_FALSE(tells(drawing.diagnostics, "legend.no_room"));
 }
 
+TEST(Arrange, ViewsStandInLineThoughPartsCastAShadowOnTheGround) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.style = builtin_style("shaded");
+  illustration.views = {"front", "top", "left"};
+  RunContext context;
+  const SheetOfViews sheet = plan_sheet(scene, illustration);
+  const Vec3 p(3, 4, 5);
+  EXPECT_NEAR(sheet.views[0].camera.to_paper(p).x, sheet.views[1].camera.to_paper(p).x, 1e-9);
+  EXPECT_NEAR(sheet.views[0].camera.to_paper(p).y, sheet.views[2].camera.to_paper(p).y, 1e-9);
+  const auto shadows = [](const Drawing& drawing) {
+    return std::ranges::count(drawing.areas, -1, &Area::part);
+  };
+  EXPECT_EQ(shadows(illustrate(scene, sheet, illustration, context)), 0);
+  illustration.views.push_back("iso");
+  EXPECT_EQ(shadows(illustrate(scene, plan_sheet(scene, illustration), illustration, context)), 1);
+}
+
 TEST(Arrange, OneCallDrawsWhatTheThreeDo) {
   Illustration illustration;
   illustration.style = builtin_style("outline");

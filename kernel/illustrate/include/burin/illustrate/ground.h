@@ -18,8 +18,12 @@ bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer);
 /// `to_light.z` > 0.
 Placement onto_ground(Vec3 to_light, double ground);
 
+/// The style of a view in a grid of views: seen from straight above it has no shadow on the ground,
+/// beside which it would not stand in line with the others.
+Style style_in_grid(Style style, Vec3 to_viewer);
+
 /// `drawn_bounds` with the shadow on the ground, where the style has one: what the sheet of a view
-/// has to hold. All but the view must outlive it.
+/// has to hold. Scene and part styles must outlive it.
 Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view);
