@@ -167,6 +167,16 @@ Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& pla
   return look;
 }
 
+/// Parts that come apart cast shadows far from where they belong, for which a sheet would have to
+/// be larger: only who sets the key, or has a style of his own, has them.
+void leave_out_ground(const Style& named, DrawPlan& plan) {
+  const bool is_set = std::ranges::find(plan.style_keys, "shadow.ground") != plan.style_keys.end();
+  const auto is_named = [&](const StyleInfo& style) { return style.name == named.name; };
+  const bool built_in =
+      std::ranges::any_of(builtin_styles(), is_named) && named == builtin_style(named.name);
+  if (plan.explode.wanted && built_in && !is_set) plan.style.shadow.ground = false;
+}
+
 DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_styles,
                  Spelling spelling) {
   Draft draft{.style_text = request.style_text, .style_source = request.style_source};
@@ -181,6 +191,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   draft.looks = request.looks;
   apply(draw_rows(), request.options, spelling, draft);
   plan.finds_view = !request.has("view") && plan.views.empty();
+  leave_out_ground(draft.named, plan);
   check_style(plan.style);
   read_images(plan.style, plan.illustrate.images);
   for (const LookRequest& look : draft.looks) plan.looks.push_back(look_of(look, request, plan));

@@ -58,6 +58,15 @@ class Areas(unittest.TestCase):
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] in of_bolts}, {"#3b7dd8"})
         self.assertEqual({area["fill"] for area in drawing.areas if area["part"] not in of_bolts}, {"#f4f4f4"})
 
+    def test_what_comes_apart_casts_no_shadow_on_the_ground_unless_that_is_asked_for(self):
+        def has_one(**options):
+            drawing = burin.draw(SAMPLES / "coupling.step", **options)
+            return any(area["part"] == -1 for area in drawing.areas)
+
+        self.assertTrue(has_one(style="shaded"))
+        self.assertFalse(has_one(style="shaded", explode="auto"))
+        self.assertTrue(has_one(style={"base": "flat", "shadow.ground": True}, explode="auto"))
+
     def test_highlights_of_a_style_with_a_spot_ink_are_printed_in_inks(self):
         def inks_of(highlight):
             drawing = burin.draw(SAMPLES / "coupling.step", style="duotone", highlight=highlight)
