@@ -294,7 +294,7 @@ TEST_F(Diff, OptionsChooseWhatIsCompared) {
 TEST_F(Diff, ColoursAreToldOfModelsAndOfDrawings) {
   const std::vector<std::pair<std::string, TriMesh>> parts = {
       {"base", test::box(Vec3(0), Vec3(20))}, {"lid", test::box({30, 0, 0}, {40, 20, 20})}};
-  for (const auto& [name, color] : {std::pair("a", "0 0 1"), std::pair("b", "1 0 0")}) {
+  for (const auto& [name, color] : {std::pair("a", "0 1 0"), std::pair("b", "1 0 0")}) {
     std::string text = obj_text(parts);
     text.insert(text.find("o lid"), "usemtl paint\n");
     folder_.write(std::string(name) + ".obj", fmt::format("mtllib {}.mtl\n", name) + text);
@@ -302,21 +302,21 @@ TEST_F(Diff, ColoursAreToldOfModelsAndOfDrawings) {
     ASSERT_EQ(run(fmt::format("draw @/{0}.obj -o @/{0}.json --style flat", name)), 0) << err_;
   }
   EXPECT_EQ(run("diff @/a.obj @/b.obj --style flat -o @/d.svg"), 6) << err_;
-  EXPECT_NE(out_.find("look     lid: colour #0000ff to #ff0000\n"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("look     lid: colour #00ff00 to #ff0000\n"), std::string::npos) << out_;
   const std::string models = test::slurp(folder_ / "d.svg");
   EXPECT_NE(models.find(" fill=\"#ff0000\""), std::string::npos);
   EXPECT_EQ(models.find("class=\"part_0\" fill=\"#"), std::string::npos) << "the base is the same";
 
   EXPECT_EQ(run("diff @/a.json @/a.json"), 0) << out_;
   EXPECT_EQ(run("diff @/a.json @/b.json -o @/d.json -o @/d.svg"), 6) << err_;
-  EXPECT_EQ(out_.find("changed  lid: colour #0000ff to #ff0000, "), 0u) << out_;
+  EXPECT_EQ(out_.find("changed  lid: colour #00ff00 to #ff0000, "), 0u) << out_;
   EXPECT_NE(out_.find(", 1 part of other colours\n"), std::string::npos) << out_;
   const json r = report("d.json");
   EXPECT_FALSE(r["same"].get<bool>());
   EXPECT_TRUE(r["lines"].empty());
   ASSERT_EQ(r["fills"].size(), 1u);
   EXPECT_EQ(r["fills"][0]["part"], "lid");
-  EXPECT_EQ(r["fills"][0]["color"], (json{"#0000ff", "#ff0000"}));
+  EXPECT_EQ(r["fills"][0]["color"], (json{"#00ff00", "#ff0000"}));
   EXPECT_GT(r["fills"][0]["size"], 100);
   const std::string drawings = test::slurp(folder_ / "d.svg");
   EXPECT_NE(drawings.find(" fill=\"#ff0000\""), std::string::npos);
