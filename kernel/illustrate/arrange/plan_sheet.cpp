@@ -131,7 +131,7 @@ class SheetPlanner {
   }
 
  private:
-  /// Of several views those along the ground have no shadow on it.
+  /// Of several views the one from above has no shadow on the ground.
   Camera::ExtentFn extent_in_grid(const ViewOptions& view) const {
     if (illustration_.views.empty()) return extent_of(scene_, illustration_, view);
     return extent_with_shadow(scene_,
