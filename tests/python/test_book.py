@@ -84,8 +84,8 @@ class Books(unittest.TestCase):
 
         self.assertEqual(unused(), [])
         self.assertEqual(unused(legend=True), ["legend has no effect on a step book"])
-        self.assertEqual(unused(views=["front", "top"], legend=True, scale=2, center=(0, 0, 0)),
-                         ["views, legend, scale, center have no effect on a step book"])
+        self.assertEqual(unused(views=["front", "top"], legend=True, scale=2),
+                         ["views, legend, scale have no effect on a step book"])
         with self.assertRaisesRegex(burin.UsageError, "session is for draw"):
             burin.steps(SAMPLES / "coupling.step", session=burin.Session())
 
