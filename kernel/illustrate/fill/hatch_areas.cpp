@@ -147,7 +147,9 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     }
     for (const auto& [color, group] : groups) {
       context.check();
-      Hatcher(style, line_color(style, color, drawing.ink_color), color == own ? over : Rings())
+      // An ink shows no colours of faces.
+      const std::string& filled = are_inked(style) ? own : color;
+      Hatcher(style, line_color(style, filled, drawing.ink_color), color == own ? over : Rings())
           .add(group, layer);
     }
     if (layer.paths.size() > before && are_inked(style)) add_ink(style.fill.ink, own, drawing);
