@@ -35,6 +35,10 @@ constexpr double kMostOffEdge = 0.05;
 // one of its points to the next.
 constexpr double kFaired = 0.005, kFairedReach = 0.5;
 
+// Paper mm beside a contour, and its chord error, within which its own fold ends on its open side:
+// contours run around facets that show over more than that.
+constexpr double kFoldEnds = 0.1;
+
 // Cosine below which a boundary is seen so flat that its own sheet may come to lie before it.
 constexpr double kGrazing = 0.3;
 
@@ -179,7 +183,8 @@ bool faired_under(const ProxyMesh& proxy, const Origin& o, const Hit& hit, doubl
 
 // How far the plane of a hit passes the point, in what the proxies do not tell apart there: no more
 // than 1, or 0 on its own fold, where it does not hide.
-double clearance(const Origin& o, const Hit& hit) {
+// `folded` becomes true there.
+double clearance(const Origin& o, const Hit& hit, bool& folded) {
   const bool own_part = hit.where.part == o.part && o.face >= 0;
   if (own_part && static_cast<std::int32_t>(hit.where.face) == o.face) return 0;
   const ProxyMesh& proxy = *o.probe->proxy(hit.where.part);
@@ -200,7 +205,9 @@ double clearance(const Origin& o, const Hit& hit) {
     reported = distance / (untold + std::min(off, o.probe->most_off_edge(o.point)));
     if (reported <= 1) return reported;
   }
-  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, reported) ? reported : 0;
+  if (!own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, reported)) return reported;
+  folded = true;
+  return 0;
 }
 
 // `normal` is the curve's; `back`: an open sheet is seen from behind.
@@ -222,6 +229,30 @@ Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec
     default:
       return Fold::None;
   }
+}
+
+// Whether what was taken for the fold of a contour goes on beside it: its own ends there.
+bool covered_beside(const Origin& fold, double clear) {
+  const Probe& probe = *fold.probe;
+  const ProxyMesh& own = *probe.proxy(fold.part);
+  const auto region = own.face_region[static_cast<std::size_t>(fold.face)];
+  Origin o = fold;
+  o.fold = Fold::None;
+  const double off = kFoldEnds / probe.camera().scale_at(o.point) + o.error;
+  bool folded = false;
+  const auto covered = [&](Vec3 beside) {
+    return probe.occluder().occluded_by(
+        beside, o.view, 2 * probe.occluder().resolution(),
+        probe.camera().distance_to_viewer(beside), [&](const Hit& hit) {
+          return hit.where.part == o.part && own.face_region[hit.where.face] == region &&
+                 clearance(o, hit, folded) > clear;
+        });
+  };
+  const Vec3 side = off * normalize_or(glm::cross(o.across, o.view), Vec3(0));
+  // Which side of an open sheet is the open one depends on how it is oriented.
+  const bool open =
+      own.topology.face_component.empty() || !own.closed(static_cast<std::uint32_t>(o.face));
+  return covered(o.point + side) && (!open || covered(o.point - side));
 }
 
 }  // namespace
@@ -302,11 +333,15 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
                       lies_on_surface(curve) ? camera_.scale_at(p) : 0};
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
-  return occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
-                               [o, asked](const Hit& hit) {
-                                 if (asked.others && hit.where.part == o->part) return false;
-                                 return clearance(*o, hit) > asked.clear;
-                               });
+  bool folded = false;
+  const bool hides = occluder_.occluded_by(start, view, 2 * resolution,
+                                           camera_.distance_to_viewer(start), [&](const Hit& hit) {
+                                             if (asked.others && hit.where.part == o->part)
+                                               return false;
+                                             return clearance(*o, hit, folded) > asked.clear;
+                                           });
+  if (hides || !folded || origin.fold != Fold::Contour) return hides;
+  return covered_beside(origin, asked.clear);
 }
 
 ViewRay Probe::ray_from_afar(Vec2 paper) const {

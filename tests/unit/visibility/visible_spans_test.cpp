@@ -322,6 +322,44 @@ TEST(VisibleSpans, HidesTheRimOfATubeRightBehindItsFold) {
   }
 }
 
+// A ring of coarse beads: where one lies before the contour of the next, few triangles are between
+// both, but it does not end beside that contour as its own fold does.
+TEST(VisibleSpans, HidesAContourBehindABulgeOfFewFacets) {
+  double hidden = 0, seen = 0;
+  for (const std::uint32_t rings : {6U, 7U, 8U}) {
+    const std::uint32_t around = 10 * rings, sides = 16;
+    const TriMesh mesh =
+        test::grid(around, sides, true, true, [&](std::uint32_t i, std::uint32_t j) {
+          const double u = 2 * test::kPi * i / around, v = 2 * test::kPi * (j + 0.5) / sides;
+          const double r = 1 - 0.35 * std::cos(10 * u), out = 3 + r * std::cos(v);
+          return Vec3(out * std::cos(u), out * std::sin(u), r * std::sin(v));
+        });
+    for (const double up : {0.7, 0.9}) {
+      const View view({mesh}, {.direction = {1, 0.1, up}});
+      const double off = 0.25 / view.camera.scale();
+      for (std::size_t c = 0; c < view.features.size(); ++c) {
+        const Curve3& curve = view.features[c];
+        if (curve.kind != LineClass::Contour) continue;
+        for (const Span& span : view.spans[c]) {
+          if (!span.visible) continue;
+          for (double at = span.begin; at < span.end; at += 0.1) {
+            const auto segment = static_cast<std::size_t>(at);
+            const Vec3 p = test::point_at(curve, at), n = curve.normals[segment];
+            const double length =
+                0.1 * test::paper_length(view.camera, curve, static_cast<double>(segment),
+                                         static_cast<double>(segment + 1));
+            const bool covered = view.occluder->occluded(p + off * n, view.camera.to_viewer(p), 0,
+                                                         2 * view.occluder->diagonal());
+            (covered ? hidden : seen) += length;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 9000);
+  EXPECT_LT(hidden, 0.016 * seen);  // what is left are coarse facets; 0.03 without looking beside
+}
+
 // --- smooth surfaces
 // -------------------------------------------------------------------------------------------
 
