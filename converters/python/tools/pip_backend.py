@@ -52,6 +52,9 @@ def build(folder: pathlib.Path, where: pathlib.Path) -> None:
             "-DBURIN_TESTS=OFF", "-DBURIN_BENCH=OFF", "-Wno-dev", f"-DBURIN_PYTHON_EXECUTABLE={sys.executable}")
     run("cmake", "--build", str(folder), "--target", "burin_bundle", "burin_python_stub")
     run("cmake", "--install", str(folder), "--component", "bundle", "--strip", "--prefix", str(where))
+    # A wheel knows no links: each library has the one name that others load it by.
+    for link in [path for path in where.rglob("*.so*") if path.is_symlink()]:
+        link.resolve().replace(link)
     modules = [path.name for path in where.glob("burin/_burin*.so")]
     if not any(name == "_burin" + str(sysconfig.get_config_var("EXT_SUFFIX")) for name in modules):
         raise SystemExit(f"burin: {folder} is a build for another Python than {sys.executable}: {modules}; "
@@ -63,35 +66,43 @@ def record(name: str, data: bytes) -> str:
     return f"{name},sha256={digest},{len(data)}\n"
 
 
+def info_folder() -> str:
+    return f"burin-{version()}.dist-info"
+
+
+def pack(top: pathlib.Path, wheel_directory: pathlib.Path, platform: str) -> str:
+    """Writes the files below `top` as a wheel for this Python. Returns its name. The same files give the same bytes."""
+    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    info = info_folder()
+    name = f"burin-{version()}-{tag}-{tag}-{platform}.whl"
+    files = sorted(path for path in top.rglob("*") if path.is_file())
+    with zipfile.ZipFile(wheel_directory / name, "w", zipfile.ZIP_DEFLATED) as archive:
+        listed = ""
+
+        def add(inside: str, data: bytes, mode: int = 0o644) -> str:
+            entry = zipfile.ZipInfo(inside, WHEN)
+            entry.external_attr = (0o100000 | mode) << 16
+            archive.writestr(entry, data, zipfile.ZIP_DEFLATED)
+            return record(inside, data)
+
+        for path in files:
+            mode = 0o755 if os.access(path, os.X_OK) else 0o644
+            listed += add(path.relative_to(top).as_posix(), path.read_bytes(), mode)
+        tags = f"Wheel-Version: 1.0\nGenerator: burin {version()}\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n"
+        listed += add(f"{info}/WHEEL", tags.encode())
+        listed += add(f"{info}/METADATA", metadata().encode())
+        listed += add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
+        add(f"{info}/RECORD", (listed + f"{info}/RECORD,,\n").encode())
+    return name
+
+
 # The names of the hooks are pip's.
 def build_wheel(wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None) -> str:
     del metadata_directory
     folder = ROOT / str((config_settings or {}).get("build-dir", "build/pip"))
-    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
-    info = f"burin-{version()}.dist-info"
-    name = f"burin-{version()}-{tag}-{tag}-{platform}.whl"
     with tempfile.TemporaryDirectory() as scratch:
         build(folder, pathlib.Path(scratch))
-        files = sorted(path for path in pathlib.Path(scratch).rglob("*") if path.is_file())
-        with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
-            listed = ""
-
-            def add(inside: str, data: bytes, mode: int = 0o644) -> str:
-                entry = zipfile.ZipInfo(inside, WHEN)
-                entry.external_attr = (0o100000 | mode) << 16
-                archive.writestr(entry, data, zipfile.ZIP_DEFLATED)
-                return record(inside, data)
-
-            for path in files:
-                mode = 0o755 if os.access(path, os.X_OK) else 0o644
-                listed += add(path.relative_to(scratch).as_posix(), path.read_bytes(), mode)
-            tags = f"Wheel-Version: 1.0\nGenerator: burin {version()}\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n"
-            listed += add(f"{info}/WHEEL", tags.encode())
-            listed += add(f"{info}/METADATA", metadata().encode())
-            listed += add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
-            add(f"{info}/RECORD", (listed + f"{info}/RECORD,,\n").encode())
-    return name
+        return pack(pathlib.Path(scratch), pathlib.Path(wheel_directory), re.sub(r"[-.]", "_", sysconfig.get_platform()))
 
 
 def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> str:
