@@ -39,7 +39,7 @@ def hidden():
 
 
 def template():
-    """The template of new pages; empty = A3 without a frame."""
+    """The template of new pages; empty = the smallest A4 to A0 without a frame that holds the drawing."""
     return group().GetString("Template", "")
 
 

@@ -486,7 +486,7 @@ class Pages(support.Case):
         page = self.place()
         self.assertEqual(len(page.Views), 1)
         self.assertEqual(page.Views[0].Scale, 1.0)
-        self.assertEqual((page.Template.Width.Value, page.Template.Height.Value), (420, 297))
+        self.assertEqual((page.Template.Width.Value, page.Template.Height.Value), (297, 210), "the sheet is 180 x 130")
         self.document.undo()
         support.settle(100)
         self.assertEqual(len(self.document.Objects), before)
@@ -511,7 +511,7 @@ class Pages(support.Case):
         self.assertGreater(os.path.getsize(pdf), 2000)
         self.assertEqual(open(pdf, "rb").read(5), b"%PDF-")
         box = re.search(rb"/MediaBox \[0 0 (\S+) (\S+)\]", open(pdf, "rb").read())
-        self.assertAlmostEqual(float(box.group(1)) / 72 * 25.4, 420, 0)
+        self.assertAlmostEqual(float(box.group(1)) / 72 * 25.4, 297, 0)
         # The matrix of the symbol: 10 scene units are a millimetre of paper.
         matrices = re.findall(r'matrix\(([^)]*)\)', open(svg).read())
         scales = {round(float(m.split(",")[0]), 3) for m in matrices}

@@ -13,7 +13,7 @@ from support import V, App, Case, features, visible_edges
 
 from freecad.burin_wb.features.sheet import Sheet
 from freecad.burin_wb.features.free_place import extent, free_place
-from freecad.burin_wb.features.sheet_view import add_template, sheet_center
+from freecad.burin_wb.features.sheet_view import add_template, blank_template, sheet_center
 from freecad.burin_wb.features.symbol import Window, parted, to_symbol
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -203,6 +203,22 @@ class Room(Case):
             x0, y0, x1, y1 = self.bounds(view)
             self.assertTrue(10 < x0 and x1 < 410 and 10 < y0 and y1 < 287, self.bounds(view))
             self.assertFalse(x1 > 220 and y0 < 70, self.bounds(view))
+
+    def test_a_new_page_is_the_smallest_that_holds_the_sheets(self):
+        for sheets, size in ((((180, 130),), "A4_Landscape"), (((287, 200),), "A4_Landscape"), (((288, 200),), "A3_Landscape"),
+                             (((130, 180),), "A4_Portrait"), (((200, 220),), "A4_Portrait"), (((200, 300),), "A2_Landscape"),
+                             (((180, 130), (180, 130)), "A4_Portrait"), (((180, 150), (180, 150)), "A3_Landscape"),
+                             (((2000, 90),), "A0_Landscape"), ((), "A4_Landscape")):
+            file = blank_template(sheets)
+            self.assertTrue(os.path.isfile(file), file)
+            self.assertEqual(os.path.basename(file), size + "_blank.svg", sheets)
+
+    def test_a_drawing_is_clear_of_the_edge_of_its_new_page(self):
+        page = self.doc.addObject("TechDraw::DrawPage", "Page")
+        view = self.place(page, Width=287, Height=200)
+        self.assertEqual((page.Template.Width.Value, page.Template.Height.Value), (297, 210))
+        x0, y0, x1, y1 = self.bounds(view)
+        self.assertTrue(4 < x0 and x1 < 293 and 4 < y0 and y1 < 206, self.bounds(view))
 
     def test_every_template_has_room(self):
         folder = os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates")

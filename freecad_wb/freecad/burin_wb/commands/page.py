@@ -9,27 +9,25 @@ from PySide import QtCore
 from .. import preferences
 from ..errors import Refused
 from ..features import make_flat_edges, place_on_page
-from ..features.sheet_view import blank_template
+from ..features.sheet_view import add_template, blank_template, sheet_size
 from ..text import tr
 from ..view import page_scale
 from .base import Command, one_illustration, selected_illustrations
 
 
-def page_of(document):
-    """The selected page, else the document's only one, else a new one with an A3 template."""
+def page_of(document, illustrations):
+    """The selected page, else the document's only one, else a new one of the smallest size that holds the illustrations' sheets."""
     pages = [o for o in Gui.Selection.getSelection() if o.isDerivedFrom("TechDraw::DrawPage")]
     pages = pages or [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
     if len(pages) > 1:
         raise Refused(tr("this document has several pages; select one of them too"))
     if pages:
         return pages[0]
-    file = preferences.template() or blank_template()
+    file = preferences.template() or blank_template([sheet_size(o) for o in illustrations])
     if not os.path.isfile(file):
         raise Refused(tr("the template {0} is not there; choose another one in the preferences of Burin").format(file))
     page = document.addObject("TechDraw::DrawPage", "Page")
-    template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = file
-    page.Template = template
+    add_template(page, file)
     return page
 
 
@@ -43,8 +41,9 @@ class PlaceOnPage(Command):
         return bool(selected_illustrations())
 
     def run(self, document):
-        page = page_of(document)
-        for obj in selected_illustrations():
+        illustrations = selected_illustrations()
+        page = page_of(document, illustrations)
+        for obj in illustrations:
             place_on_page(page, obj)
         document.recompute()
         if page.ViewObject is not None:
@@ -80,7 +79,7 @@ class LinesForDimensions(Command):
         illustration = one_illustration()
         if not illustration.Drawing:
             raise Refused(tr("{0} is not drawn yet; recompute it").format(illustration.Label))
-        page = page_of(document)
+        page = page_of(document, [illustration])
         view = make_flat_edges(page, illustration)
         document.recompute()
         if not view.Source[0].Shape.Edges:

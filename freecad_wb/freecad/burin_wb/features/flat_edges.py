@@ -7,7 +7,7 @@ from ..tell import NOTE, tell
 from .curves import edges_of
 from .properties import FLAT_EDGES, ensure, is_newer
 from .sheet import Sheet
-from .sheet_view import add_template, add_view, sheet_center
+from .sheet_view import add_template, add_view, blank_template, sheet_center, sheet_size
 
 # Edges stay this near to the drawn lines, in mm of paper: half the finest pen's width is 0.06.
 TOLERANCE = 0.02
@@ -78,7 +78,7 @@ def make_flat_edges(page, illustration, name="IllustrationLines"):
     lengths in the model. It lies over the illustration's own view where that is on the page. Returns the view. No
     transaction, no recompute."""
     if page.Template is None:
-        add_template(page)
+        add_template(page, blank_template([sheet_size(illustration)]))
     document = page.Document
     flat = document.addObject("Part::FeaturePython", name)
     FlatEdges(flat)

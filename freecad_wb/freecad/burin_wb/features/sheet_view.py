@@ -6,22 +6,37 @@ import FreeCAD
 
 from .. import preferences
 from ..tell import tell
-from .free_place import extent, free_place
+from .free_place import EDGE, extent, free_place
 from .properties import SHEET_VIEW, ensure
 from .symbol import Window, parted, pixels_of, symbol_size, to_symbol, window_of
 
 # A symbol whose scale is off by more is made anew.
 WRONG = 1e-4
 
-# FreeCAD 1.1 keeps its templates in folders by standard.
-TEMPLATES = (("ISO", "A3_Landscape_blank.svg"), ("A3_Landscape_blank.svg",))
+# FreeCAD's templates without a frame, from small to large: (name, width, height in mm).
+BLANKS = (("A4_Landscape", 297, 210), ("A4_Portrait", 210, 297), ("A3_Landscape", 420, 297), ("A2_Landscape", 594, 420),
+          ("A1_Landscape", 841, 594), ("A0_Landscape", 1189, 841))
+# mm between sheets that share a page.
+BETWEEN = 5.0
 
 
-def blank_template():
-    """FreeCAD's own template of A3 without a frame."""
+def blank_template(sheets=()):
+    """The path of FreeCAD's own smallest template without a frame that holds all `sheets`, (width, height) in mm, in a row or in a
+    column, off its edge; the largest where none does. A single sheet that is higher than wide gets A4 upright."""
     folder = os.path.join(FreeCAD.getResourceDir(), "Mod", "TechDraw", "Templates")
-    files = [os.path.join(folder, *names) for names in TEMPLATES]
+    widths, heights = zip(*sheets) if sheets else ((0,), (0,))
+    gaps, edges = BETWEEN * (len(widths) - 1), 2 * EDGE
+    needs = (sum(widths) + gaps + edges, max(heights) + edges), (max(widths) + edges, sum(heights) + gaps + edges)
+    order = sorted(BLANKS, key=lambda blank: (blank[1] * blank[2], (blank[2] > blank[1]) != (heights[0] > widths[0])))
+    fitting = [name for name, width, height in order if any(w <= width and h <= height for w, h in needs)] or [order[-1][0]]
+    # FreeCAD 1.1 keeps its templates in folders by standard.
+    files = [os.path.join(folder, *standard, name + "_blank.svg") for name in fitting for standard in (("ISO",), ())]
     return next(filter(os.path.isfile, files), files[-1])
+
+
+def sheet_size(illustration):
+    """(width, height) in mm."""
+    return illustration.Width.Value, illustration.Height.Value
 
 
 class SheetView:
@@ -91,10 +106,10 @@ def sheet_center(view):
     return view.X.Value - view.Middle.x, view.Y.Value - view.Middle.y
 
 
-def add_template(page, file=""):
-    """A template for a page; A3 without a frame where no file is named."""
+def add_template(page, file):
+    """A template, the path of a file, for a page without one."""
     template = page.Document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = file or blank_template()
+    template.Template = file
     page.Template = template
 
 
@@ -108,10 +123,10 @@ def add_view(page, view):
 
 def place_on_page(page, illustration, name="IllustrationView"):
     """A view of `illustration` on a TechDraw page: as near to the page's middle as there is room beside what lies there,
-    inside the template's frame and off its title block. A page without a template gets A3 without a frame: TechDraw takes
-    no views before. No transaction, no recompute."""
+    inside the template's frame and off its title block. A page without a template gets a blank one that holds the
+    sheet: TechDraw takes no views before. No transaction, no recompute."""
     if page.Template is None:
-        add_template(page)
+        add_template(page, blank_template([sheet_size(illustration)]))
     view = page.Document.addObject("TechDraw::DrawViewSymbolPython", name)
     SheetView(view)
     view.Illustration = illustration
@@ -119,7 +134,7 @@ def place_on_page(page, illustration, name="IllustrationView"):
     view.Scale = 1.0
     SheetView.execute(view.Proxy, view)  # an empty symbol is complained of when it comes on the page
     add_view(page, view)
-    size = extent(view) or (illustration.Width.Value, illustration.Height.Value)
+    size = extent(view) or sheet_size(illustration)
     place = free_place(page, *size, but=view)
     view.X, view.Y = place.x, place.y
     if not place.free:

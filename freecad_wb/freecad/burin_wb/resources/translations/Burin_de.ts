@@ -1075,8 +1075,8 @@
       <translation>Vorlage</translation>
     </message>
     <message>
-      <source>Template of pages that Burin makes; empty = blank A3 landscape</source>
-      <translation>Vorlage der Seiten, die Burin anlegt; leer = A3 quer ohne Rahmen</translation>
+      <source>Template of pages that Burin makes; empty = the smallest blank A4 to A0 that holds the drawing</source>
+      <translation>Vorlage der Seiten, die Burin anlegt; leer = die kleinste Größe A4 bis A0 ohne Rahmen, auf die die Zeichnung passt</translation>
     </message>
     <message>
       <source>The Python that runs the kernel in a process of its own; empty = the system's</source>
