@@ -225,6 +225,8 @@ class Room(Case):
         page = self.page("A3_Landscape_blank.svg")
         few = []
         for file in sorted(glob.glob(os.path.join(folder, "**", "*.svg"), recursive=True)):
+            if os.path.basename(file).startswith("ISO7200_titleblock"):  # of FreeCAD 1.0: pieces to make templates of
+                continue
             page.Template.Template = file
             place = free_place(page, 60, 60)
             if not place.free:
