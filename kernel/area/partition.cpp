@@ -1,3 +1,4 @@
+#include <burin/area/largest_disc.h>
 #include <burin/area/partition.h>
 #include <burin/base/disjoint_sets.h>
 
@@ -19,6 +20,8 @@ using detail::SheetMesh;
 
 /// Times that narrow regions go to a neighbour: what is left has no neighbour wide enough.
 constexpr int kMostCleaned = 6;
+/// Squares of the least width of a tone: what is larger is a band or an area, not a speck.
+constexpr double kSpeck = 2;
 
 /// For each triangle the lowest one of the piece that it is in: triangles of one label that hang
 /// together.
@@ -46,77 +49,116 @@ double length(const SheetMesh& mesh, std::size_t t, std::size_t i) {
   return glm::distance(mesh.points[a], mesh.points[b]);
 }
 
-/// How wide a rectangle of that area and border is; of a square where there is none.
-double width_as_rectangle(double area, double border) {
-  const double long_ones = border * border - 16 * area;
-  return long_ones > 0 ? 4 * area / (border + std::sqrt(long_ones)) : std::sqrt(area);
-}
-
 bool differ_in_tone_alone(const AreaLabel& a, const AreaLabel& b) {
   return a.part >= 0 && a.part == b.part && a.face == b.face;
 }
 
-/// Narrow pieces take the label of the neighbour with the longest common border; whether any did.
-bool clean(LabelledMesh& labelled, const PartitionOptions& options) {
+/// Pieces, what they are beside, and which of them are narrow.
+class Cleaner {
+ public:
+  Cleaner(const LabelledMesh& labelled, const PartitionOptions& options)
+      : mesh_(labelled.mesh),
+        labels_(labelled.labels),
+        options_(options),
+        pieces_(pieces_of(labelled)),
+        sizes_(pieces_.size()) {
+    for (std::uint32_t t = 0; t < pieces_.size(); ++t) {
+      Size& size = sizes_[pieces_[t]];
+      size.area += detail::area_of(mesh_, t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::int32_t n = mesh_.beyond[t][i];
+        const std::uint32_t other = n < 0 ? pieces_[t] : pieces_[static_cast<std::size_t>(n)];
+        if (n >= 0 && other == pieces_[t]) continue;
+        size.border += length(mesh_, t, i);
+        beside_.push_back({pieces_[t], other, side(mesh_, t, i)});
+      }
+    }
+    std::ranges::stable_sort(beside_, {},
+                             [](const Beside& b) { return std::pair(b.piece, b.other); });
+  }
+
+  /// The label of each triangle; nothing where all stay as they are.
+  std::optional<std::vector<AreaLabel>> clean() const {
+    std::vector<std::uint32_t> taken(pieces_.size());
+    std::iota(taken.begin(), taken.end(), 0U);
+    bool any = false;
+    for (auto first = beside_.begin(); first != beside_.end();) {
+      const auto last = std::find_if(first, beside_.end(),
+                                     [&](const Beside& b) { return b.piece != first->piece; });
+      taken[first->piece] = taker({first, last});
+      any = any || taken[first->piece] != first->piece;
+      first = last;
+    }
+    if (!any) return std::nullopt;
+    std::vector<AreaLabel> out;
+    out.reserve(pieces_.size());
+    for (const std::uint32_t piece : pieces_) out.push_back(labels_[taken[piece]]);
+    return out;
+  }
+
+ private:
   struct Size {
     double area = 0, border = 0;
     double width() const { return 2 * area / border; }
   };
   struct Beside {
+    /// `other`: the piece itself at the edge of the sheet.
     std::uint32_t piece, other;
-    double border;
+    std::array<std::uint32_t, 2> ends;
   };
-  const SheetMesh& mesh = labelled.mesh;
-  const std::vector<std::uint32_t> pieces = pieces_of(labelled);
-  std::vector<Size> sizes(pieces.size());  // by the lowest triangle
-  std::vector<Beside> beside;
-  for (std::uint32_t t = 0; t < pieces.size(); ++t) {
-    Size& size = sizes[pieces[t]];
-    size.area += detail::area_of(mesh, t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t n = mesh.beyond[t][i];
-      const std::uint32_t other = n < 0 ? pieces[t] : pieces[static_cast<std::size_t>(n)];
-      if (n >= 0 && other == pieces[t]) continue;
-      const double l = length(mesh, t, i);
-      size.border += l;
-      if (n >= 0) beside.push_back({pieces[t], other, l});
-    }
-  }
-  std::ranges::stable_sort(beside, {}, [](const Beside& b) { return std::pair(b.piece, b.other); });
-  std::vector<std::uint32_t> taken(pieces.size());
-  std::iota(taken.begin(), taken.end(), 0U);
-  bool any = false;
-  for (std::size_t i = 0; i < beside.size();) {
-    const std::uint32_t piece = beside[i].piece;
-    const Size& size = sizes[piece];
-    const bool narrow = size.width() < options.least_width;
-    const double least = options.least_tone_width;
-    const bool speck =
-        size.area < 4 * least * least && width_as_rectangle(size.area, size.border) < least;
+
+  /// The piece whose label a piece takes, given its border: its own where it stays.
+  std::uint32_t taker(std::span<const Beside> border) const {
+    const std::uint32_t piece = border.front().piece;
+    const Size& size = sizes_[piece];
+    const bool narrow = size.width() < options_.least_width;
+    std::uint32_t best = piece;
     double longest = 0;
-    while (i < beside.size() && beside[i].piece == piece) {
-      const std::uint32_t other = beside[i].other;
-      double border = 0;
-      for (; i < beside.size() && beside[i].piece == piece && beside[i].other == other; ++i) {
-        border += beside[i].border;
+    if (!narrow && !is_speck(border)) return best;
+    for (auto it = border.begin(); it != border.end();) {
+      const std::uint32_t other = it->other;
+      double common = 0;
+      for (; it != border.end() && it->other == other; ++it) {
+        common += glm::distance(mesh_.points[it->ends[0]], mesh_.points[it->ends[1]]);
       }
-      const bool counts =
-          narrow || (speck && differ_in_tone_alone(labelled.labels[piece], labelled.labels[other]));
+      if (other == piece) continue;
+      const bool counts = narrow || differ_in_tone_alone(labels_[piece], labels_[other]);
       // Of two narrow ones side by side the smaller goes to the larger one.
-      const bool wide =
-          (narrow && sizes[other].width() >= options.least_width) || sizes[other].area > size.area;
-      if (!counts || !wide || border <= longest) continue;
-      longest = border;
-      taken[piece] = other;
+      const bool wide = (narrow && sizes_[other].width() >= options_.least_width) ||
+                        sizes_[other].area > size.area;
+      if (counts && wide && common > longest) best = other, longest = common;
     }
-    any = any || longest > 0;
+    return best;
   }
-  if (!any) return false;
-  const std::vector<AreaLabel> labels = labelled.labels;
-  for (std::uint32_t t = 0; t < pieces.size(); ++t) {
-    if (taken[pieces[t]] != pieces[t]) labelled.labels[t] = labels[taken[pieces[t]]];
+
+  /// Whether it is small, and no place in it as wide as a pen.
+  bool is_speck(std::span<const Beside> border) const {
+    const double least = options_.least_tone_width;
+    const Size& size = sizes_[border.front().piece];
+    if (size.area >= kSpeck * least * least || size.width() >= least) return false;
+    if (size.area < 0.25 * std::numbers::pi * least * least) return true;
+    std::vector<BorderSide> sides;
+    for (const Beside& b : border) {
+      sides.push_back({mesh_.points[b.ends[0]], mesh_.points[b.ends[1]]});
+    }
+    const double enough = 0.5 * least;
+    return largest_disc(sides, {}, {.precision = 0.02 * least, .enough = enough}).radius < enough;
   }
-  return true;
+
+  const SheetMesh& mesh_;
+  const std::vector<AreaLabel>& labels_;
+  const PartitionOptions& options_;
+  std::vector<std::uint32_t> pieces_;
+  /// By the lowest triangle.
+  std::vector<Size> sizes_;
+  std::vector<Beside> beside_;
+};
+
+/// Narrow pieces take the label of the neighbour with the longest common border; whether any did.
+bool clean(LabelledMesh& labelled, const PartitionOptions& options) {
+  auto labels = Cleaner(labelled, options).clean();
+  if (labels) labelled.labels = std::move(*labels);
+  return labels.has_value();
 }
 
 class RingWalk {

@@ -158,6 +158,33 @@ TEST(Partition, SpecksOfToneGoToTheStepBesideThemAndPartsStay) {
   }
 }
 
+TEST(Partition, ASpeckAsWideAsAPenAtItsWidestPlaceStays) {
+  // A drop: a disc a little wider than the pen, with a long thin tail. Twice its area by its border
+  // is less than the pen; the same with a disc a little narrower goes.
+  const auto drop = [](Vec2 at, double radius) {
+    std::vector<Vec2> out{at + Vec2(0.45, 0)};
+    for (int i = 1; i < 48; ++i) {
+      const double u = 2 * kPi * i / 48;
+      out.push_back(at + radius * Vec2(std::cos(u), std::sin(u)));
+    }
+    return out;
+  };
+  const std::vector<Vec2> outer = rectangle({10, 10}, {60, 50}), wide = drop({20, 20}, 0.13),
+                          narrow = drop({40, 20}, 0.12);
+  const std::vector<BorderLine> lines{{outer, true}, {wide, true}, {narrow, true}};
+  const auto label_at = [&](Vec2 p) {
+    const bool dark = holds(wide, p) || holds(narrow, p);
+    return AreaLabel{.part = holds(outer, p) ? 1 : -1, .tone = dark ? 0 : 1};
+  };
+  const Partition p = part(lines, label_at, {.least_tone_width = 0.25});
+  expect_sound(p);
+  ASSERT_EQ(p.regions.size(), 3u);
+  const auto dark = std::ranges::find_if(
+      p.regions, [](const AreaRegion& r) { return r.label.tone == 0 && r.label.part == 1; });
+  ASSERT_NE(dark, p.regions.end());
+  EXPECT_LT(p.points[dark->rings.front().corners.front()].x, 30) << "the wide one";
+}
+
 TEST(Partition, OfRandomRectanglesOverEachOtherAgreesWithRandomPlaces) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> x(-10, 110), y(-10, 90);

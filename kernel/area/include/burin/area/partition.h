@@ -48,8 +48,8 @@ struct PartitionOptions {
   /// with the longest common border.
   double least_width = 0.03;
   /// Paper mm: a speck beside regions of its own part and face, which differ in tone alone, goes to
-  /// one of these where it is narrower than this (as the rectangle of its area and border) and of
-  /// less than four such squares. Long bands stay: fillets are made of them.
+  /// one of these where no disc of this diameter has room in it, and its area is less than two
+  /// squares of that width. Long bands stay: fillets are made of them.
   double least_tone_width = 0;
   /// Paper mm: how far from the sides of a triangle its label is looked for. Where lines and labels
   /// know the same border by different approximations, triangles beside it are not divided.
