@@ -2,8 +2,8 @@
 #include <burin/annotate/place.h>
 #include <burin/base/short_list.h>
 #include <burin/drawing/font.h>
-#include <burin/drawing/length.h>
 
+#include "anchors.h"
 #include "frame_path.h"
 #include "stroke_directions.h"
 #include "tables.h"
@@ -21,135 +21,9 @@
 namespace burin {
 namespace {
 
-constexpr double kLeastDisc = 0.8;  // paper mm of radius for a dot
-constexpr double kAsWell = 0.75;    // of the radius of the largest disc
 constexpr std::size_t kMostNamed = 5;
 
-struct Anchor {
-  const DrawingItem* item = nullptr;
-  std::int32_t part = -1;
-  Vec2 at{0};
-  bool dot = true;
-};
-
-using Lines = std::map<std::int32_t, std::vector<const Path*>>;
-
-/// The visible lines of each part, without strokes.
-Lines lines_by_part(const Drawing& drawing) {
-  Lines lines;
-  for (const Layer& layer : drawing.layers) {
-    for (const Path& path : layer.paths) {
-      const bool line = path.visible && path.kind != LineClass::Stroke && path.points.size() > 1;
-      if (line) lines[path.source.part].push_back(&path);
-    }
-  }
-  return lines;
-}
-
-/// The point half-way along a path.
-Vec2 middle_of(const Path& path) {
-  double left = 0.5 * length_of(path);
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const double step = glm::distance(path.points[i - 1], path.points[i]);
-    if (step >= left && step > 0) return glm::mix(path.points[i - 1], path.points[i], left / step);
-    left -= step;
-  }
-  return path.points.back();
-}
-
-/// The middle of the longest visible line of a part that lies on what is seen of it.
-std::optional<Vec2> longest_line(const Lines& lines, std::int32_t part, const LabelMap& map) {
-  const auto of_part = lines.find(part);
-  if (of_part == lines.end()) return std::nullopt;
-  std::optional<Vec2> best;
-  double longest = -1;
-  for (const Path* path : of_part->second) {
-    const double length = length_of(*path);
-    if (length <= longest) continue;
-    const Vec2 at = middle_of(*path);
-    if (!map.shows(part, at)) continue;
-    longest = length;
-    best = at;
-  }
-  return best;
-}
-
-/// Lines that a dot should not lie on.
-std::vector<std::vector<Vec2>> lines_of(const Drawing& drawing) {
-  std::vector<std::vector<Vec2>> lines;
-  for (const Layer& layer : drawing.layers) {
-    for (const Path& path : layer.paths) {
-      if (!path.visible || path.kind == LineClass::Stroke || path.kind == LineClass::Pattern) {
-        continue;
-      }
-      lines.push_back(path.points);
-      if (path.closed && !path.points.empty()) lines.back().push_back(path.points.front());
-    }
-  }
-  return lines;
-}
-
-/// Clear of lines where there is room for a dot, else as far from other parts as can be.
-std::vector<Pole> poles_of(const LabelMap& map, std::size_t count,
-                           std::span<const std::vector<Vec2>> lines) {
-  std::vector<Pole> poles = find_poles(map, count, lines);
-  const std::vector<Pole> plain = find_poles(map, count);
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    if (poles[i].radius <= kLeastDisc) poles[i] = plain[i];
-  }
-  return poles;
-}
-
-std::vector<Anchor> find_anchors(const Drawing& drawing, const std::vector<const LabelMap*>& maps,
-                                 const std::vector<DrawingItem>& items, Vec2 middle,
-                                 CalloutOptions::Layout layout,
-                                 std::vector<const DrawingItem*>& not_shown) {
-  std::int32_t last = -1;
-  for (const DrawingItem& item : items) {
-    for (const std::int32_t part : item.parts) last = std::max(last, part);
-  }
-  const auto count = static_cast<std::size_t>(last + 1);
-  const std::vector<std::vector<Vec2>> lines = lines_of(drawing);
-  std::vector<std::vector<Pole>> poles;
-  for (const LabelMap* map : maps) poles.push_back(poles_of(*map, count, lines));
-  const Lines by_part = lines_by_part(drawing);
-  std::vector<Anchor> anchors;
-  for (const DrawingItem& item : items) {
-    double largest = 0;
-    for (const std::int32_t part : item.parts) {
-      const auto i = static_cast<std::size_t>(part);
-      for (const std::vector<Pole>& in_map : poles) largest = std::max(largest, in_map[i].radius);
-    }
-    if (largest <= 0) {
-      not_shown.push_back(&item);
-      continue;
-    }
-    // Of those that are seen about as well, the outermost: its leader passes over the fewest.
-    Pole pole;
-    const LabelMap* map = maps.front();
-    double farthest = -1;
-    const auto look = [&](const Pole& one, const LabelMap* in) {
-      if (one.radius < kAsWell * largest) return;
-      const Vec2 off = glm::abs(one.at - middle);
-      const double out = layout == CalloutOptions::Layout::Columns ? off.x
-                         : layout == CalloutOptions::Layout::Rows  ? off.y
-                                                                   : std::max(off.x, off.y);
-      if (out > farthest) farthest = out, pole = one, map = in;
-    };
-    for (const std::int32_t part : item.parts) {
-      for (std::size_t m = 0; m < maps.size(); ++m) {
-        look(poles[m][static_cast<std::size_t>(part)], maps[m]);
-      }
-    }
-    Anchor anchor{&item, pole.part, pole.at, pole.radius > kLeastDisc};
-    if (!anchor.dot) {
-      const auto line = longest_line(by_part, pole.part, *map);
-      if (line) anchor.at = *line;
-    }
-    anchors.push_back(anchor);
-  }
-  return anchors;
-}
+using detail::Anchor;
 
 Path leader(Vec2 from, Vec2 to, double width, const Anchor& anchor) {
   Path path;
@@ -210,13 +84,13 @@ std::string names_of(const std::vector<const DrawingItem*>& items) {
   });
 }
 
-void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, const Box2& frame,
+void add_callouts(Drawing& drawing, std::span<const Area> seen, const Box2& frame,
                   const Annotations& annotations, const CalloutOptions& style,
                   const RunContext& context) {
   const Box2 ink = ink_box(drawing);
   std::vector<const DrawingItem*> not_shown;
   const std::vector<Anchor> anchors =
-      find_anchors(drawing, maps, annotations.items, ink.center(), style.layout, not_shown);
+      detail::find_anchors(drawing, seen, annotations.items, ink.center(), style.layout, not_shown);
   if (!not_shown.empty()) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.not_shown", std::ssize(not_shown),
@@ -307,17 +181,15 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
                       CalloutSizes(style, largest_number(annotations.items)), style.layout);
 }
 
-void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
-              const Annotations& annotations, const CalloutOptions& style,
-              const RunContext& context) {
+void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& wanted,
+              const CalloutOptions& style, const RunContext& context) {
+  const Annotations annotations = detail::shown_in(drawing, wanted);
   drawing.items = annotations.items;
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);
   const detail::Tables tables = detail::plan_tables(annotations, style, frame);
   if (annotations.callouts) {
-    std::vector<const LabelMap*> maps{&seen};
-    for (const LabelMap& map : glass) maps.push_back(&map);
-    add_callouts(drawing, maps, tables.rest, annotations, style, context);
+    add_callouts(drawing, seen, tables.rest, annotations, style, context);
   }
   detail::lay_tables(tables, annotations, style, drawing);
 }

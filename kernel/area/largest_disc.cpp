@@ -133,7 +133,7 @@ class Search {
 }  // namespace
 
 InnerDisc largest_disc(std::span<const BorderSide> border, std::span<const BorderSide> across,
-                  const DiscOptions& options) {
+                       const DiscOptions& options) {
   return Search(border, across, options).run();
 }
 

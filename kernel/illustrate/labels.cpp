@@ -76,10 +76,6 @@ class Looker {
     }
   }
 
-  LabelMap map(const Occluder& occluder) const {
-    return make_label_map(box_, part_at(occluder), context_);
-  }
-
   // Of the parts of a flag; empty: of all.
   std::vector<Area> areas(const Occluder& occluder, const std::vector<bool>& parts = {}) const {
     const auto label_at = [&, probe = view_probe(occluder, camera_)](Vec2 p) {
@@ -125,13 +121,6 @@ class Looker {
     return out;
   }
 
-  std::function<std::int32_t(Vec2)> part_at(const Occluder& occluder) const {
-    return [probe = view_probe(occluder, camera_)](Vec2 at) {
-      const auto hit = probe(at);
-      return hit ? hit->part : -1;
-    };
-  }
-
   const LabelRequest& wanted_;
   Box2 box_;
   std::vector<BorderLine> lines_;
@@ -140,33 +129,12 @@ class Looker {
   std::vector<LabelBorder> between_colors_;
 };
 
-/// Leaves the parts of a flag in a map, and takes the flag of those that are seen; whether any is.
-bool keep_only(LabelMap& map, std::vector<bool>& parts) {
-  std::vector<bool> left = parts;
-  for (std::int32_t& part : map.parts) {
-    if (part < 0) continue;
-    const auto i = static_cast<std::size_t>(part);
-    if (parts[i]) {
-      left[i] = false;
-    } else {
-      part = -1;
-    }
-  }
-  const bool any = left != parts;
-  parts = std::move(left);
-  return any;
-}
-
 }  // namespace
 
 LabelRequest::LabelRequest(const Drawing& drawing, std::shared_ptr<const Occluders> parts,
-                           const Camera& of, bool with_maps, bool with_areas)
-    : occluders(std::move(parts)),
-      camera(of),
-      box(ink_on_sheet(drawing)),
-      maps(with_maps),
-      areas(with_areas) {
-  if (areas || occluders->any_transparent()) borders = borders_of(drawing);
+                           const Camera& of, bool with_solid)
+    : occluders(std::move(parts)), camera(of), box(ink_on_sheet(drawing)), solid(with_solid) {
+  if (solid || occluders->any_transparent()) borders = borders_of(drawing);
 }
 
 Labels label(const LabelRequest& wanted, const RunContext& context) {
@@ -175,18 +143,16 @@ Labels label(const LabelRequest& wanted, const RunContext& context) {
   const Occluders& occluders = *wanted.occluders;
   const Looker looker(wanted, context);
   Labels labels;
-  if (wanted.maps) labels.seen = looker.map(occluders.solid());
   std::vector<bool> left = occluders.transparent();
-  while (labels.glass.size() < kMostGlass && std::ranges::find(left, true) != left.end()) {
-    const std::vector<bool> before = left;
+  for (std::size_t i = 0; i < kMostGlass && std::ranges::find(left, true) != left.end(); ++i) {
     const Occluder glass(occluders.proxies_with(left), context);
-    LabelMap map = looker.map(glass);
+    std::vector<Area> seen = looker.areas(glass, left);
+    if (seen.empty()) break;
     // What was not seen may stand within what was: glass in glass.
-    if (!keep_only(map, left)) break;
-    labels.glass.push_back(std::move(map));
-    std::ranges::move(looker.areas(glass, before), std::back_inserter(labels.areas));
+    for (const Area& area : seen) left[static_cast<std::size_t>(area.part)] = false;
+    std::ranges::move(seen, std::back_inserter(labels.areas));
   }
-  if (wanted.areas) {
+  if (wanted.solid) {
     std::ranges::move(looker.areas(occluders.solid()), std::back_inserter(labels.areas));
   }
   return labels;

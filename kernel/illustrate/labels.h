@@ -1,7 +1,6 @@
 #pragma once
 // Which parts are seen where on the sheet; internal to the module.
 
-#include <burin/annotate/label_map.h>
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -22,14 +21,12 @@ inline bool operator==(const Box2& a, const Box2& b) { return a.min == b.min && 
 
 namespace burin::detail {
 
-/// What can be looked through apart: what is seen first, then what is seen through that, and so on;
-/// empty where nothing can.
 struct Labels {
-  LabelMap seen;
-  std::vector<LabelMap> glass;
   /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest,
   /// by the colours of its faces (`fill`, and `opacity` of those that say it).
   std::vector<Area> areas = {};
+  /// The same where `areas` are parted further, and callouts ask for it; else empty.
+  std::vector<Area> whole = {};
   /// Below all of them.
   std::optional<Area> shadow = {};
 };
@@ -50,22 +47,20 @@ struct LabelRequest {
   Box2 box{};
   /// Where areas are made of them.
   std::vector<LabelBorder> borders{};
-  /// `Labels::seen`, and `glass`.
-  bool maps = true;
-  /// Of solid parts, too.
-  bool areas = true;
+  /// Of solid parts, too; else of those alone that can be looked through.
+  bool solid = true;
   /// One a part, or fewer: the colours of faces by which the areas of glass are told apart; absent:
   /// it has one.
   std::vector<std::shared_ptr<const FaceColors>> colors{};
 
   LabelRequest(const Drawing& drawing, std::shared_ptr<const Occluders> parts, const Camera& of,
-               bool with_maps, bool with_areas);
+               bool with_solid);
   bool operator==(const LabelRequest&) const = default;
 };
 
-/// Cost: a ray a pixel and those of `partition`, and as many more for each map of what can be
-/// looked through: as many as such parts hide each other whole, one behind the other, 8 at the
-/// most. Throws Cancelled.
+/// What can be looked through is seen first, then what is seen through that, and so on. Cost: that
+/// of `partition`, and as much for each of these: as many as such parts hide each other whole, one
+/// behind the other, 8 at the most. Throws Cancelled.
 Labels label(const LabelRequest& wanted, const RunContext& context);
 
 }  // namespace burin::detail

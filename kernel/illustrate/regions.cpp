@@ -307,6 +307,19 @@ Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders&
   return partition(box, borders.get(), label_at, how, context);
 }
 
+std::vector<Area> silhouettes(const Partition& partition) {
+  std::map<std::int32_t, std::vector<std::uint32_t>> parts;
+  for (std::uint32_t i = 0; i < partition.regions.size(); ++i) {
+    const std::int32_t part = partition.regions[i].label.part;
+    if (part >= 0) parts[part].push_back(i);
+  }
+  std::vector<Area> out;
+  for (const auto& [part, regions] : parts) {
+    out.push_back(area_of(partition, {.part = part}, false, regions));
+  }
+  return out;
+}
+
 std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options,
                            const std::vector<bool>& nested) {
   std::map<AreaLabel, Steps> faces;

@@ -59,6 +59,9 @@ Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders&
                        const Camera& camera, const RegionOptions& options, const LightView* light,
                        const RunContext& context);
 
+/// What is seen of each part, whatever else parts the sheet; by part.
+std::vector<Area> silhouettes(const Partition& partition);
+
 /// Regions as areas, of each part and face the darkest last. They say a step where the part has
 /// more than one, and a face where faces are told apart, or that closes a cut; their `fill` is the
 /// colour of faces that are coloured otherwise than their part. `nested`, one a part: areas of a

@@ -210,7 +210,7 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
   const auto& occluders = shaded.occluders;
   const Vec3 to_light = shaded.to_light;
   const Camera& camera = shaded.camera;
-  const bool maps = options.annotations.has_value();
+  const bool pointed_at = options.annotations.has_value();
   const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
                        style.shadow.cast || style.shadow.ground;
   std::shared_ptr<std::optional<LightView>> light;
@@ -219,8 +219,8 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
       return std::make_shared<std::optional<LightView>>(light_view(*occluders, to_light, context));
     });
   }
-  if (maps || regions) {
-    LabelRequest wanted(drawing, occluders, camera, maps, !regions);
+  if (pointed_at || regions) {
+    LabelRequest wanted(drawing, occluders, camera, !regions);
     if (regions && occluders->any_transparent()) {
       wanted.colors = face_colors(scene, part_styles);
     }
@@ -238,6 +238,10 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
             find_regions(parted.box, {sight.features(), sight.feature_spans()}, *occluders, camera,
                          parted.options, from_light, context));
       });
+      if (pointed_at && options.annotations->callouts) {
+        labels.whole = labels.areas;
+        std::ranges::move(silhouettes(*parts), std::back_inserter(labels.whole));
+      }
       std::ranges::move(areas_of(*parts, parted.options, nested_fills(part_styles)),
                         std::back_inserter(labels.areas));
     }
@@ -343,6 +347,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
                drawing.diagnostics, context);
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
+  if (options.annotations && labels.whole.empty()) labels.whole = labels.areas;
   drawing.areas = std::move(labels.areas);
   hatch_areas(scene, part_styles, "", drawing, context);
   if (paints(part_styles) || hatches(part_styles)) paint_areas(scene, part_styles, drawing);
@@ -351,8 +356,8 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
-    annotate(drawing, labels.seen, labels.glass,
-             with_seen_rows(scene, style, options, drawing.areas), style.callout, context);
+    annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing.areas),
+             style.callout, context);
     hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;

@@ -1,4 +1,4 @@
-/// Callouts of a hundred items on an A3 sheet: anchors from the raster, then their places.
+/// Callouts of a hundred items on an A3 sheet: anchors, then their places.
 
 #include <burin/annotate/annotate.h>
 #include <burin/annotate/place.h>
@@ -6,6 +6,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -13,20 +16,27 @@ namespace {
 constexpr int kAcross = 10;
 constexpr Vec2 kSheet(420, 297);
 
-/// Discs on a grid, a part each.
-std::int32_t part_at(Vec2 p) {
-  const Vec2 cell((p.x - 60) / 30, (p.y - 40) / 21);
-  if (cell.x < 0 || cell.y < 0 || cell.x >= kAcross || cell.y >= kAcross) return -1;
-  const Vec2 in = glm::fract(cell) - 0.5;
-  const auto x = static_cast<std::int32_t>(cell.x), y = static_cast<std::int32_t>(cell.y);
-  return glm::length(in) < 0.4 ? y * kAcross + x : -1;
+/// Discs on a grid, a part each, of as many sides as the border of a round part has.
+std::vector<Area> discs() {
+  constexpr int kSides = 100;
+  std::vector<Area> areas;
+  for (int i = 0; i < kAcross * kAcross; ++i) {
+    const Vec2 middle(60 + 30 * (i % kAcross + 0.5), 40 + 21 * (i / kAcross + 0.5));
+    std::vector<Vec2> ring;
+    for (int k = 0; k < kSides; ++k) {
+      const double u = 2 * std::numbers::pi * k / kSides;
+      ring.push_back(middle + Vec2(12 * std::cos(u), 8.4 * std::sin(u)));
+    }
+    areas.push_back({.part = i, .rings = {std::move(ring)}});
+  }
+  return areas;
 }
 
 void annotate_100_items(benchmark::State& state) {
   Annotations annotations;
   annotations.callouts = true;
   for (int i = 0; i < kAcross * kAcross; ++i) annotations.items.push_back({i + 1, "part", {i}});
-  const LabelMap seen = make_label_map({{0, 0}, kSheet}, part_at, RunContext());
+  const std::vector<Area> seen = discs();
   for (auto _ : state) {
     Drawing drawing;
     drawing.paper_width = kSheet.x, drawing.paper_height = kSheet.y;
@@ -34,18 +44,11 @@ void annotate_100_items(benchmark::State& state) {
     border.points = {{60, 40}, {360, 40}, {360, 250}, {60, 250}};
     border.closed = true;
     drawing.layers.push_back({"outline", {border}});
-    annotate(drawing, seen, {}, annotations, {.height = 3.5}, RunContext());
+    annotate(drawing, seen, annotations, {.height = 3.5}, RunContext());
     benchmark::DoNotOptimize(drawing.layers.size());
   }
 }
 BENCHMARK(annotate_100_items)->Unit(benchmark::kMillisecond);
-
-void label_map_of_a3(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(make_label_map({{0, 0}, kSheet}, part_at, RunContext()).parts.data());
-  }
-}
-BENCHMARK(label_map_of_a3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace burin

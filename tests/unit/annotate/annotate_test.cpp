@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -39,18 +42,12 @@ Drawing hatched_square(double degrees) {
 double leader_angle(double hatched_at) {
   RunContext context;
   Drawing drawing = hatched_square(hatched_at);
-  const LabelMap seen = make_label_map(
-      {{100, 60}, {196, 150}},
-      [](Vec2 p) {
-        const Vec2 off = glm::abs(p - Vec2(148, 105));
-        return off.x < 40 && off.y < 40 ? 0 : -1;
-      },
-      context);
+  const Area seen{.part = 0, .rings = {drawing.layers[1].paths[0].points}};
   Annotations over;
   over.items = {{1, "plate", {0}, "", ""}};
   over.callouts = true;
   over.margin = Margin(10);
-  annotate(drawing, seen, {}, over, {}, context);
+  annotate(drawing, {&seen, 1}, over, {}, context);
   for (const Path& path : drawing.layers.back().paths) {
     if (path.kind != LineClass::Leader || path.points.size() != 2) continue;
     const Vec2 way = path.points[1] - path.points[0];
@@ -66,6 +63,72 @@ TEST(Annotate, LeadersCrossHatchingInsteadOfRunningAlongIt) {
   // Across the strokes the shortest way is level.
   EXPECT_LT(off(leader_angle(90), 0), 3);
   for (const double degrees : {0.0, 5.0, -8.0}) EXPECT_GT(off(leader_angle(degrees), degrees), 12);
+}
+
+std::vector<Vec2> rectangle(Vec2 a, Vec2 b) { return {a, {b.x, a.y}, b, {a.x, b.y}}; }
+
+Path line(std::int32_t part, std::vector<Vec2> points) {
+  Path path;
+  path.kind = LineClass::Crease;
+  path.source.part = part;
+  path.width = {0.3};
+  path.points = std::move(points);
+  return path;
+}
+
+/// The leaders of a drawing: where they begin, and whether with a dot.
+std::vector<std::pair<Vec2, bool>> begins(const Drawing& drawing) {
+  std::vector<std::pair<Vec2, bool>> out;
+  for (const Path& path : drawing.layers.back().paths) {
+    if (path.kind != LineClass::Leader || path.points.size() != 2) continue;
+    const bool dot = path.points[0] == path.points[1], arrow = path.width.size() == 2;
+    if (dot || arrow) out.push_back({path.points[1], dot});
+  }
+  return out;
+}
+
+TEST(Annotate, LeadersBeginInTheLargestDiscWithoutALineAndAtTheLineOfWhatIsNarrow) {
+  // A plate of 60 by 40 mm with a line 20 mm from its left; a bar of 1 mm with a line along it; and
+  // a part that is not seen.
+  const std::vector<Area> seen{{.part = 0, .rings = {rectangle({100, 60}, {160, 100})}},
+                               {.part = 1, .rings = {rectangle({100, 120}, {160, 121})}}};
+  Drawing drawing;
+  drawing.layers = {
+      {"crease", {line(0, {{120, 60}, {120, 100}}), line(1, {{110, 121}, {150, 121}})}}};
+  Annotations over;
+  over.items = {{1, "plate", {0}, "", ""}, {2, "bar", {1}, "", ""}, {3, "pin", {2}, "", ""}};
+  over.callouts = true;
+  over.margin = Margin(10);
+  RunContext context;
+  annotate(drawing, seen, over, {}, context);
+  const auto at = begins(drawing);
+  ASSERT_EQ(at.size(), 2U);
+  EXPECT_TRUE(at[0].second);
+  EXPECT_NEAR(glm::distance(at[0].first, Vec2(140, 80)), 0, 0.2);
+  EXPECT_FALSE(at[1].second) << "an arrow";
+  EXPECT_NEAR(glm::distance(at[1].first, Vec2(130, 121)), 0, 1e-9);
+  ASSERT_EQ(drawing.diagnostics.entries().size(), 1U);
+  EXPECT_EQ(drawing.diagnostics.entries()[0].code, "callouts.not_shown");
+}
+
+TEST(Annotate, OfPartsThatAreSeenAlikeTheFirstOfTheOutermostCounts) {
+  std::vector<Area> seen;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 at(60 + 60 * i, 80);
+    seen.push_back({.part = i, .rings = {rectangle(at, at + Vec2(20.0 + 0.01 * i, 20.0))}});
+  }
+  Drawing drawing;
+  drawing.layers = {{"outline", {}}};
+  for (const Area& area : seen) drawing.layers[0].paths.push_back(line(area.part, area.rings[0]));
+  Annotations over;
+  over.items = {{1, "post", {0, 1, 2}, "", ""}};
+  over.callouts = true;
+  over.margin = Margin(10);
+  RunContext context;
+  annotate(drawing, seen, over, {}, context);
+  const auto at = begins(drawing);
+  ASSERT_EQ(at.size(), 1U);
+  EXPECT_LT(at[0].first.x, 80);
 }
 
 }  // namespace

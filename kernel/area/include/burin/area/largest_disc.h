@@ -31,6 +31,6 @@ struct DiscOptions {
 /// their disc might be larger, at most 20,000 of them, each with the sides that may be nearest in
 /// it. Cost: some 20 passes over the sides. @cite Agafonkin2016
 InnerDisc largest_disc(std::span<const BorderSide> border, std::span<const BorderSide> across = {},
-                  const DiscOptions& options = {});
+                       const DiscOptions& options = {});
 
 }  // namespace burin

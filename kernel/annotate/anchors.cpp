@@ -1,0 +1,181 @@
+#include "anchors.h"
+
+#include <burin/area/largest_disc.h>
+#include <burin/base/box.h>
+#include <burin/base/even_odd.h>
+#include <burin/base/nearest_along.h>
+#include <burin/drawing/length.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kLeastDisc = 0.8;    // paper mm of radius for a dot
+constexpr double kAsWell = 0.75;      // of the radius of the largest disc
+constexpr double kAsFar = 1;          // paper mm: of parts as far out within this the first counts
+constexpr double kBesidePart = 0.75;  // paper mm from a part within which a line is seen on it
+
+Box2 box_of(const BorderSide& side) {
+  Box2 box;
+  box.add(side[0]);
+  box.add(side[1]);
+  return box;
+}
+
+/// What is seen of a part.
+struct Seen {
+  std::vector<BorderSide> border;
+  Box2 box;
+
+  void add(const Area& area) {
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        border.push_back({ring[i], ring[(i + 1) % ring.size()]});
+        box.add(ring[i]);
+      }
+    }
+  }
+
+  /// Whether a point is on it or beside it.
+  bool shows(Vec2 p) const {
+    bool inside = false;
+    for (const auto& [a, b] : border) {
+      if (glm::distance(p, a + nearest_along(a, b - a, p) * (b - a)) < kBesidePart) return true;
+      if (crosses_ray(a, b, p)) inside = !inside;
+    }
+    return inside;
+  }
+};
+
+/// By part.
+using SeenParts = std::map<std::int32_t, Seen>;
+
+SeenParts parts_of(std::span<const Area> areas) {
+  SeenParts parts;
+  for (const Area& area : areas) parts[area.part].add(area);
+  return parts;
+}
+
+using Lines = std::map<std::int32_t, std::vector<const Path*>>;
+
+/// The visible lines of each part, without strokes.
+Lines lines_by_part(const Drawing& drawing) {
+  Lines lines;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      const bool line = path.visible && path.kind != LineClass::Stroke && path.points.size() > 1;
+      if (line) lines[path.source.part].push_back(&path);
+    }
+  }
+  return lines;
+}
+
+/// The point half-way along a path.
+Vec2 middle_of(const Path& path) {
+  double left = 0.5 * length_of(path);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const double step = glm::distance(path.points[i - 1], path.points[i]);
+    if (step >= left && step > 0) return glm::mix(path.points[i - 1], path.points[i], left / step);
+    left -= step;
+  }
+  return path.points.back();
+}
+
+/// The middle of the longest visible line of a part that lies on what is seen of it.
+std::optional<Vec2> longest_line(const Lines& lines, std::int32_t part, const Seen& seen) {
+  const auto of_part = lines.find(part);
+  if (of_part == lines.end()) return std::nullopt;
+  std::optional<Vec2> best;
+  double longest = -1;
+  for (const Path* path : of_part->second) {
+    const double length = length_of(*path);
+    if (length <= longest) continue;
+    const Vec2 at = middle_of(*path);
+    if (!seen.shows(at)) continue;
+    longest = length;
+    best = at;
+  }
+  return best;
+}
+
+/// Lines that a dot should not lie on.
+std::vector<BorderSide> lines_of(const Drawing& drawing) {
+  std::vector<BorderSide> sides;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (!path.visible || path.kind == LineClass::Stroke || path.kind == LineClass::Pattern) {
+        continue;
+      }
+      const std::size_t n = path.points.size();
+      for (std::size_t i = 1; i < n; ++i) sides.push_back({path.points[i - 1], path.points[i]});
+      if (path.closed && n > 1) sides.push_back({path.points.back(), path.points.front()});
+    }
+  }
+  return sides;
+}
+
+/// Clear of lines where there is room for a dot, else as far from other parts as can be.
+InnerDisc disc_of(const Seen& seen, std::span<const BorderSide> lines) {
+  std::vector<BorderSide> across;
+  for (const BorderSide& side : lines) {
+    if (box_of(side).overlaps(seen.box)) across.push_back(side);
+  }
+  const InnerDisc disc = largest_disc(seen.border, across);
+  return disc.radius > kLeastDisc ? disc : largest_disc(seen.border);
+}
+
+double out_of(Vec2 middle, Vec2 at, CalloutOptions::Layout layout) {
+  const Vec2 off = glm::abs(at - middle);
+  if (layout == CalloutOptions::Layout::Columns) return off.x;
+  if (layout == CalloutOptions::Layout::Rows) return off.y;
+  return std::max(off.x, off.y);
+}
+
+}  // namespace
+
+std::vector<Anchor> find_anchors(const Drawing& drawing, std::span<const Area> seen,
+                                 const std::vector<DrawingItem>& items, Vec2 middle,
+                                 CalloutOptions::Layout layout,
+                                 std::vector<const DrawingItem*>& not_shown) {
+  const SeenParts parts = parts_of(seen);
+  const std::vector<BorderSide> lines = lines_of(drawing);
+  const Lines by_part = lines_by_part(drawing);
+  std::vector<Anchor> anchors;
+  for (const DrawingItem& item : items) {
+    std::map<std::int32_t, InnerDisc> discs;
+    double largest = 0;
+    for (const std::int32_t part : item.parts) {
+      const auto at = parts.find(part);
+      if (at == parts.end()) continue;
+      largest = std::max(largest, (discs[part] = disc_of(at->second, lines)).radius);
+    }
+    if (largest <= 0) {
+      not_shown.push_back(&item);
+      continue;
+    }
+    // Of those that are seen about as well, the outermost: its leader passes over the fewest.
+    Anchor anchor{&item};
+    double farthest = -1 - kAsFar;
+    for (const std::int32_t part : item.parts) {
+      const auto disc = discs.find(part);
+      if (disc == discs.end() || disc->second.radius < kAsWell * largest) continue;
+      const Vec2 at = disc->second.middle;
+      const double out = out_of(middle, at, layout);
+      if (out <= farthest + kAsFar) continue;
+      farthest = out;
+      anchor = {&item, part, at, disc->second.radius > kLeastDisc};
+    }
+    if (!anchor.dot) {
+      const auto line = longest_line(by_part, anchor.part, parts.at(anchor.part));
+      if (line) anchor.at = *line;
+    }
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+}  // namespace burin::detail
