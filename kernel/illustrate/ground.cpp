@@ -1,4 +1,7 @@
 #include <burin/illustrate/ground.h>
+#include <burin/tone/catalogue.h>
+
+#include <cmath>
 
 namespace burin {
 
@@ -23,22 +26,23 @@ Style style_in_grid(Style style, Vec3 to_viewer) {
 Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view) {
-  // Which way is right and up is known without the scene: a camera in perspective asks for extents
-  // along slanted axes, from which it could not be told.
-  const Camera camera = Camera::fit(
+  const auto plain = [&scene, part_styles](const Mat3& axes) {
+    return drawn_bounds(scene, part_styles, axes);
+  };
+  if (!style.shadow.ground) return plain;
+  // How the sheet lies, whatever is on it: a perspective view asks for axes that are none of it.
+  const Camera level = Camera::fit(
       [](const Mat3&) {
-        return Box3{Vec3(0), Vec3(1)};
+        return Box3{Vec3(-1), Vec3(1)};
       },
       {.direction = view.direction, .up = view.up});
-  const Vec3 light = glm::normalize(style.tone.light);
-  const Vec3 to_light =
-      light.x * camera.right() + light.y * camera.up() + light.z * camera.direction();
-  const bool casts = style.shadow.ground && casts_ground_shadow(to_light, camera.direction());
-  return [=, &scene](const Mat3& axes) {
-    Box3 box = drawn_bounds(scene, part_styles, axes);
-    if (!casts || box.empty()) return box;
-    const Placement down = onto_ground(to_light, drawn_bounds(scene, part_styles, Mat3(1)).min.z);
-    const Box3 shadow = drawn_bounds(scene, part_styles, axes * down.linear);
+  const Vec3 to_light = tone::to_light(level, style.tone);
+  const double ground = plain(Mat3(1)).min.z;
+  if (!std::isfinite(ground) || !casts_ground_shadow(to_light, level.direction())) return plain;
+  return [plain, down = onto_ground(to_light, ground)](const Mat3& axes) {
+    Box3 box = plain(axes);
+    if (box.empty()) return box;
+    const Box3 shadow = plain(axes * down.linear);
     const Vec3 by = axes * down.offset;
     box.add({shadow.min + by, shadow.max + by});
     return box;

@@ -90,4 +90,11 @@ void settle_on_sheet(const PartStyles& part_styles, bool clip, Drawing& drawing)
                                : "another centre would hold it all"));
 }
 
+void cut_at_sheet(Area& area, const Drawing& drawing) {
+  Drawing alone;
+  alone.areas.push_back(std::move(area));
+  clip_to({Vec2(0), Vec2(drawing.paper_width, drawing.paper_height)}, alone);
+  area = alone.areas.empty() ? Area{.rings = {}} : std::move(alone.areas.front());
+}
+
 }  // namespace burin::detail

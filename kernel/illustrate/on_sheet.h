@@ -11,4 +11,7 @@ namespace burin::detail {
 /// off the sheet, cut, or no larger than a dot.
 void settle_on_sheet(const PartStyles& part_styles, bool clip, Drawing& drawing);
 
+/// Cuts an area at the edge of the sheet of a drawing; it may have no ring left.
+void cut_at_sheet(Area& area, const Drawing& drawing);
+
 }  // namespace burin::detail

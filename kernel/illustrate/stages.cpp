@@ -352,7 +352,8 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   hatch_areas(scene, part_styles, "", drawing, context);
   if (paints(part_styles) || hatches(part_styles)) paint_areas(scene, part_styles, drawing);
   if (style.shadow.cast) shade_areas(style, drawing.areas);
-  if (labels.shadow) {
+  if (labels.shadow && style.sheet.clip) cut_at_sheet(*labels.shadow, drawing);
+  if (labels.shadow && !labels.shadow->rings.empty()) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {

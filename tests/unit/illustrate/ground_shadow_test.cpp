@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -105,6 +106,57 @@ TEST(GroundShadow, ThereIsNoneFromBelowFromTheSideAndOfGlass) {
   EXPECT_EQ(shadow_of(draw(scene, "bottom").drawing), nullptr);
   EXPECT_EQ(shadow_of(draw(scene, "front").drawing), nullptr);
   EXPECT_EQ(shadow_of(draw(scene, "iso", true).drawing), nullptr);
+}
+
+Box2 box_of(const Drawing& drawing) {
+  Box2 box;
+  for (const Area& area : drawing.areas) {
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (const Vec2 p : ring) box.add(p);
+    }
+  }
+  return box;
+}
+
+TEST(GroundShadow, HasRoomInPerspectiveAndNoMore) {
+  const Scene scene = boxes({{{-10, -15, 0}, {10, 15, 40}}});
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  RunContext context;
+  for (const char* view : {"iso", "trimetric", "1,-1,0.4"}) {
+    for (const double degrees : {20.0, 60.0}) {
+      const NamedView v = named_view(view);
+      const ViewOptions options{.direction = v.direction,
+                                .up = v.up,
+                                .perspective = degrees,
+                                .margin = 10,
+                                .paper = {200, 150}};
+      const Camera camera = Camera::fit(extent_with_shadow(scene, style, {}, options), options);
+      const Box2 box = box_of(illustrate(scene, camera, style, {}, context));
+      SCOPED_TRACE(view);
+      // It touches two sides of the inner sheet, or stands in the middle between them.
+      EXPECT_GT(box.min.x, 9.9);
+      EXPECT_GT(box.min.y, 9.9);
+      EXPECT_LT(box.max.x, 190.1);
+      EXPECT_LT(box.max.y, 140.1);
+      EXPECT_TRUE(box.size().x > 175 || box.size().y > 125) << box.size().x << ' ' << box.size().y;
+    }
+  }
+}
+
+TEST(GroundShadow, IsCutAtTheEdgeOfTheSheetUnlessTheStyleKeepsIt) {
+  const Scene scene = boxes({{{-10, -15, 0}, {10, 15, 40}}});
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  RunContext context;
+  const NamedView v = named_view("iso");
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = v.direction, .up = v.up, .margin = 1, .paper = {60, 60}});
+  const Box2 box = box_of(illustrate(scene, camera, style, {}, context));
+  EXPECT_NEAR(box.max.x, 60, 1e-9);
+  style.sheet.clip = false;
+  EXPECT_GT(box_of(illustrate(scene, camera, style, {}, context)).max.x, 65);
 }
 
 TEST(GroundShadow, IsNotSeenThroughPartsWhoseColourIsPale) {

@@ -2,11 +2,12 @@
 /// The invisible ground under a scene, on which its shadow lies: the plane square to z through the
 /// lowest point of what is drawn.
 
-#include <burin/base/box.h>
 #include <burin/base/placement.h>
 #include <burin/base/vec.h>
 #include <burin/camera/camera.h>
 #include <burin/illustrate/illustrate.h>
+
+#include <span>
 
 namespace burin {
 
@@ -22,8 +23,9 @@ Placement onto_ground(Vec3 to_light, double ground);
 /// beside which it would not stand in line with the others.
 Style style_in_grid(Style style, Vec3 to_viewer);
 
-/// `drawn_bounds` with the shadow on the ground, where the style has one: what the sheet of a view
-/// has to hold. Scene and part styles must outlive it.
+/// `drawn_bounds` with the shadow on the ground, where the style has one: what a sheet has to hold
+/// in that view. Scene and styles must outlive it. Throws UsageError where the view has no
+/// direction.
 Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view);
