@@ -159,6 +159,29 @@ TEST(GroundShadow, IsCutAtTheEdgeOfTheSheetUnlessTheStyleKeepsIt) {
   EXPECT_GT(box_of(illustrate(scene, camera, style, {}, context)).max.x, 65);
 }
 
+TEST(GroundShadow, ThatReachesBehindTheViewerStaysBelowTheHorizon) {
+  const Scene scene = boxes({{{-10, -10, 0}, {10, 10, 120}}});
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  style.sheet.clip = false;
+  style.tone.light = {0.1, 0.9, -0.9};  // from above and beyond
+  RunContext context;
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, {.direction = {1, 0, 0.3},
+                                                                         .up = {0, 0, 1},
+                                                                         .perspective = 80,
+                                                                         .scale = 2,
+                                                                         .center = Vec3(0, 0, 30),
+                                                                         .paper = {200, 200}});
+  const Drawing drawing = illustrate(scene, camera, style, {}, context);
+  const Area* shadow = shadow_of(drawing);
+  ASSERT_NE(shadow, nullptr);
+  const double horizon = camera.to_paper(camera.eye() - Vec3(1e6, 0, 0)).y;
+  for (const std::vector<Vec2>& ring : shadow->rings) {
+    for (const Vec2 p : ring) EXPECT_LT(p.y, horizon);
+  }
+}
+
 TEST(GroundShadow, IsNotSeenThroughPartsWhoseColourIsPale) {
   Style style = builtin_style("flat");
   style.shadow.ground = true;
