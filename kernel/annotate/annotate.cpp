@@ -181,9 +181,8 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
                       CalloutSizes(style, largest_number(annotations.items)), style.layout);
 }
 
-void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& wanted,
+void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& annotations,
               const CalloutOptions& style, const RunContext& context) {
-  const Annotations annotations = detail::shown_in(drawing, wanted);
   drawing.items = annotations.items;
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);

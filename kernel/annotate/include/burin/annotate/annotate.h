@@ -68,7 +68,7 @@ void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutO
 /// ("callouts.crowded"), of a list or a legend that has none ("parts_list.no_room",
 /// "legend.no_room") and of characters that the font has not ("text.no_glyph"). Throws Cancelled.
 /// Cost: that of `largest_disc` for each part, and 5 ms for 100 items.
-void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& wanted,
+void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& annotations,
               const CalloutOptions& style, const RunContext& context);
 
 }  // namespace burin
