@@ -24,7 +24,9 @@ std::string text_of_number(const py::handle& value) {
     if (!whole) throw py::error_already_set();
     return py::str(whole);
   }
-  return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
+  const double real = PyFloat_AsDouble(value.ptr());
+  if (real == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return py::repr(py::float_(real));  // numpy 2 writes its own as "np.float64(0.1)"
 }
 
 }  // namespace
