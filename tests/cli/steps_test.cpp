@@ -2,6 +2,7 @@
 #include "models.h"
 #include "pages.h"
 
+#include <burin_test/pictures.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
@@ -50,10 +51,13 @@ TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
                   .rfind(fmt::format("Step {}", step), 0),
               0U);
   }
-  const std::string pdf = test::slurp(folder_ / "pump.pdf");
-  EXPECT_TRUE(
-      std::regex_search(pdf, std::regex("/Type /Pages[^>]*/Count 12|/Count 12[^>]*/Type /Pages")))
-      << "11 steps and the parts list";
+  // cairo 1.18 packs the list of pages.
+  if (test::has_program("pdfinfo")) {
+    const fs::path file = folder_ / "pump.pdf", listed = folder_ / "info";
+    ASSERT_TRUE(test::shell(fmt::format("pdfinfo {} >{}", file.string(), listed.string())));
+    const std::string info = test::slurp(listed);
+    EXPECT_TRUE(std::regex_search(info, std::regex("Pages: +12\n"))) << info;
+  }
   const auto data = nlohmann::json::parse(test::slurp(folder_ / "pump.json"));
   ASSERT_EQ(data.at("pages").size(), 11U);
   EXPECT_EQ(data.at("pages")[1].at("heading"), "Step 2: idler");
