@@ -232,13 +232,6 @@ CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
   return options;
 }
 
-std::string one_line(std::string message) {
-  for (char& c : message) {
-    if (c == '\n') c = ' ';
-  }
-  return message;
-}
-
 }  // namespace
 
 Arguments parse_arguments(int argc, const char* const* argv) {
@@ -285,7 +278,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
     a.help = e.what();
     return a;
   } catch (const CLI::ParseError& e) {
-    throw UsageError(one_line(e.what()) + " (see burin --help)");
+    throw UsageError(std::string(e.what()) + " (see burin --help)");
   }
 
   if (app.get_subcommands().empty()) refuse_command(app);
