@@ -231,23 +231,9 @@ class Builder {
     return glm::dot(last, picture_.camera.to_viewer(position)) > kTurned * glm::length(last);
   }
 
-  // Whether the surface bends up by more than 60 degrees between two cells: one of them lies beside
-  // a contour, and the other one behind it, however near.
-  bool folded(std::uint32_t a, std::uint32_t b) const {
-    constexpr double kFold = 0.5;  // cosine
-    if (glm::dot(looks_[a].normal, looks_[b].normal) > kFold) return false;
-    const RasterCell& cell = raster_.cells[graph_.nodes[a].cell];
-    const Vec3 at =
-        picture_.surface(cell.part).proxy().position(cell.place().face, cell.place().bary);
-    const Vec2 step = raster_.center(std::size_t{graph_.nodes[b].cell}) -
-                      raster_.center(std::size_t{graph_.nodes[a].cell});
-    const Vec3 turn = looks_[b].normal - looks_[a].normal;
-    return glm::dot(picture_.camera.velocity(at, turn), step) < 0;
-  }
-
   bool one_line(std::uint32_t a, std::uint32_t b) const {
     if (!same_sheet(sheet(a), sheet(b))) return false;
-    if (part_ways(a, b) || folded(a, b)) return false;
+    if (part_ways(a, b)) return false;
     if (turn(a, b) < kSameLine) return false;
     return std::abs(glm::dot(looks_[a].wave, looks_[b].wave)) >=
            0.5 * glm::length(looks_[a].wave) * glm::length(looks_[b].wave);

@@ -305,50 +305,6 @@ TEST(PrincipalStrokes, ReachTheContourOfACylinder) {
   EXPECT_GT(share, 0.94);
 }
 
-// Coils that lie on each other, seen past the contour of one: lines of the two are not the same
-// ones. Were they placed as one, those of the nearer coil would turn off their direction to meet
-// those of the other: 7.7 % of their length by more than 0.1 radian.
-TEST(PrincipalStrokes, OfACoilBeforeAnotherKeepTheirDirection) {
-  constexpr int kRound = 400, kTube = 64;
-  constexpr double kTurns = 3, kRadius = 20, kThick = 5, kRise = 10.05 / (2 * std::numbers::pi);
-  const auto middle = [&](double a) {
-    return Vec3(kRadius * std::cos(a), kRadius * std::sin(a), kRise * a);
-  };
-  TriMesh mesh;
-  for (int i = 0; i <= kRound; ++i) {
-    const double a = kTurns * 2 * std::numbers::pi * i / kRound;
-    const Vec3 out(std::cos(a), std::sin(a), 0);
-    const Vec3 along = glm::normalize(Vec3(-kRadius * out.y, kRadius * out.x, kRise));
-    for (int k = 0; k < kTube; ++k) {
-      const double b = 2 * std::numbers::pi * k / kTube;
-      mesh.positions.push_back(
-          middle(a) + kThick * (std::cos(b) * out + std::sin(b) * glm::cross(along, -out)));
-    }
-  }
-  for (int i = 0; i < kRound; ++i) {
-    for (int k = 0; k < kTube; ++k) {
-      const auto at = [&](int u, int v) {
-        return static_cast<std::uint32_t>(u * kTube + v % kTube);
-      };
-      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i, k + 1)});
-      mesh.triangles.push_back({at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)});
-    }
-  }
-  Hatched hatched(*test::mesh_form(std::move(mesh)), {}, {80, 80});
-  const std::vector<const Surface*> surfaces{hatched.surface.get()};
-  const Field field = field::smoothed(surfaces, {}, hatched.context);
-  double turned = 0, all = 0;
-  for (const Curve3& c : hatched.strokes(field, kFine)) {
-    for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
-      const Vec3 step = c.points[i + 1] - c.points[i], at = c.points[i] + 0.5 * step;
-      const Vec3 along = glm::normalize(Vec3(-at.y, at.x, 0));
-      all += glm::length(step);
-      if (std::abs(glm::dot(step, along)) > 0.1 * glm::length(step)) turned += glm::length(step);
-    }
-  }
-  EXPECT_LT(turned / all, 0.07);
-}
-
 // Lines across a washer and over its round edge are the same ones: were they placed apart, those of
 // the one would end, or crowd, between those of the other all along the border.
 TEST(PrincipalStrokes, OfAWasherGoOnOverItsRoundEdges) {
