@@ -35,6 +35,21 @@ Loaded& loaded() {
   return all;
 }
 
+bool is_writer(std::string_view id) { return id == BURIN_WRITER_1 || id == BURIN_WRITER_2; }
+
+/// Whether a table has a newer interface of the same thing.
+bool has_newer(const burin_plugin_table& table, const burin_factory& f) {
+  if (std::string_view(f.id) != BURIN_WRITER_1) return false;
+  for (std::size_t i = 0; i < table.factory_count; ++i) {
+    const burin_factory& other = table.factories[i];
+    if (std::string_view(other.id) == BURIN_WRITER_2 &&
+        std::string_view(suffix_of(other)) == suffix_of(f)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Adds a factory to its catalogue. Throws UsageError where its name is taken.
 void join(const Source& source) {
   const std::string_view id = source.factory->id;
@@ -43,7 +58,7 @@ void join(const Source& source) {
   if (id == BURIN_STROKE_KIND_1) add_marks(source);
   if (id == BURIN_FORM_1) add_form(source);
   if (id == BURIN_READER_1) add_reader(source);
-  if (id == BURIN_WRITER_1) add_writer(source);
+  if (is_writer(id)) add_writer(source);
 }
 
 /// What no other file may offer beside a factory: "form gyroids", "suffix .tiny". Directions and
@@ -52,9 +67,7 @@ std::vector<std::string> claims(const burin_factory& f) {
   const std::string id = f.id;
   if (id == BURIN_DIRECTION_1 || id == BURIN_STROKE_KIND_1) return {std::string("hatch ") + f.name};
   std::vector<std::string> out{id + " " + f.name};
-  if (id == BURIN_WRITER_1) {
-    out.push_back(std::string("writes ") + static_cast<const burin_writer_1*>(f.functions)->suffix);
-  }
+  if (is_writer(id)) out.push_back(std::string("writes ") + suffix_of(f));
   if (id == BURIN_READER_1) {
     std::istringstream words(static_cast<const burin_reader_1*>(f.functions)->suffixes);
     for (std::string word; words >> word;) out.push_back("reads " + word);
@@ -82,7 +95,8 @@ std::string claimed(const burin_factory& f, const std::string& file, const Loade
   return {};
 }
 
-Offer offered(const burin_factory& factory, const std::string& file, Loaded& all) {
+Offer offered(const burin_plugin_table& table, const burin_factory& factory,
+              const std::string& file, Loaded& all) {
   Offer offer{factory.id, factory.name, ""};
   if (!is_known(offer.id)) {
     offer.refused = "this version of Burin does not know the interface";
@@ -92,7 +106,7 @@ Offer offered(const burin_factory& factory, const std::string& file, Loaded& all
   offer.refused = claimed(factory, file, all);
   if (!offer.refused.empty()) return offer;
   try {
-    join({&factory, file});
+    if (!has_newer(table, factory)) join({&factory, file});
     for (const std::string& claim : claims(factory)) all.taken[claim] = file;
   } catch (const std::exception& e) {
     offer.refused = e.what();
@@ -126,7 +140,7 @@ Plugin loaded_from(const std::filesystem::path& file, Loaded& all) {
   plugin.name = table->name;
   plugin.version = table->version;
   for (std::size_t i = 0; i < table->factory_count; ++i) {
-    plugin.offers.push_back(offered(table->factories[i], plugin.file, all));
+    plugin.offers.push_back(offered(*table, table->factories[i], plugin.file, all));
   }
   return plugin;
 }

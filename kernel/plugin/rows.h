@@ -30,6 +30,8 @@ void add_marks(const Source& source);
 void add_form(const Source& source);
 void add_reader(const Source& source);
 void add_writer(const Source& source);
+/// That of a factory of writers.
+const char* suffix_of(const burin_factory& f);
 
 /// Throws PluginError: "the direction 'spiral' (FILE) WHAT".
 [[noreturn]] void fail(PluginError::Row row, const Source& source, const std::string& what);

@@ -7,9 +7,9 @@
 namespace burin::plugin {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKnown{BURIN_DIRECTION_1,   BURIN_LAW_1,
-                                                 BURIN_STROKE_KIND_1, BURIN_FORM_1,
-                                                 BURIN_READER_1,      BURIN_WRITER_1};
+constexpr std::array<std::string_view, 7> kKnown{
+    BURIN_DIRECTION_1, BURIN_LAW_1,    BURIN_STROKE_KIND_1, BURIN_FORM_1,
+    BURIN_READER_1,    BURIN_WRITER_1, BURIN_WRITER_2};
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53
 
 bool is_text(const char* text) {
@@ -148,11 +148,12 @@ std::string functions_fault(const burin_factory& f) {
     if (!are_suffixes(r.suffixes, true)) return "has no suffixes such as '.tiny .tny'";
     return r.read != nullptr ? "" : lacking;
   }
-  if (id == BURIN_WRITER_1) {
-    const auto& w = functions_of<burin_writer_1>(f);
+  const auto writer_fault = [&](const auto& w) -> std::string {
     if (!are_suffixes(w.suffix, false)) return "has no suffix such as 'txt'";
     return w.write != nullptr ? "" : lacking;
-  }
+  };
+  if (id == BURIN_WRITER_1) return writer_fault(functions_of<burin_writer_1>(f));
+  if (id == BURIN_WRITER_2) return writer_fault(functions_of<burin_writer_2>(f));
   return {};
 }
 

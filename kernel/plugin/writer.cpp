@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <string_view>
 
 // What a plug-in writes to; it knows the name alone.
 struct burin_output {
@@ -36,7 +37,7 @@ class Flat {
   }
   Flat(const Flat&) = delete;
   Flat& operator=(const Flat&) = delete;
-  const burin_drawing& get() const { return all_; }
+  const burin_drawing& lines() const { return all_; }
 
  private:
   void add(const Layer& layer, const Path& path) {
@@ -57,6 +58,45 @@ class Flat {
   burin_drawing all_{};
 };
 
+/// The same with its colours.
+class FlatColors {
+ public:
+  explicit FlatColors(const Drawing& d) : lines_(d) {
+    for (const Layer& layer : d.layers) {
+      const std::string& of_layer = layer.color.empty() ? d.ink_color : layer.color;
+      for (const Path& path : layer.paths) {
+        colors_.push_back((path.color.empty() ? of_layer : path.color).c_str());
+      }
+    }
+    for (const Area& area : d.areas) add(area);
+    for (const SpotInk& ink : d.inks) inks_.push_back({ink.name.c_str(), ink.color.c_str()});
+    all_ = {&lines_.lines(), colors_.data(),     areas_.size(),  areas_.data(), rings_.size(),
+            rings_.data(),   points_.size() / 2, points_.data(), inks_.size(),  inks_.data()};
+  }
+  FlatColors(const FlatColors&) = delete;
+  FlatColors& operator=(const FlatColors&) = delete;
+  const burin_color_drawing& all() const { return all_; }
+
+ private:
+  void add(const Area& area) {
+    areas_.push_back({area.part, area.face, area.tone, area.fill.c_str(), area.opacity,
+                      area.ink.c_str(), area.tint, area.role.c_str(), rings_.size(),
+                      area.rings.size()});
+    for (const std::vector<Vec2>& ring : area.rings) {
+      rings_.push_back({points_.size() / 2, ring.size()});
+      for (const Vec2& p : ring) points_.insert(points_.end(), {p.x, p.y});
+    }
+  }
+
+  Flat lines_;
+  std::vector<const char*> colors_;
+  std::vector<burin_area> areas_;
+  std::vector<burin_ring> rings_;
+  std::vector<double> points_;
+  std::vector<burin_ink> inks_;
+  burin_color_drawing all_{};
+};
+
 std::int32_t take_bytes(burin_output* output, const void* bytes, std::size_t size) noexcept try {
   if (output->context->cancelled()) return BURIN_CANCELLED;
   output->out->write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
@@ -66,14 +106,23 @@ std::int32_t take_bytes(burin_output* output, const void* bytes, std::size_t siz
   return BURIN_FAILED;
 }
 
+bool is_colored(const burin_factory& f) { return std::string_view(f.id) == BURIN_WRITER_2; }
+
 void write(const Source& source, const Drawing& drawing, const std::vector<OptionValue>& values,
            std::ostream& out, const RunContext& context) {
-  const Flat flat(drawing);
   const Values given(values);
   burin_output output{&out, &context};
   burin_error error{};
-  const std::int32_t code = source.functions<burin_writer_1>().write(&flat.get(), given.data(),
-                                                                     take_bytes, &output, &error);
+  std::int32_t code = BURIN_OK;
+  if (is_colored(*source.factory)) {
+    const FlatColors flat(drawing);
+    code = source.functions<burin_writer_2>().write(&flat.all(), given.data(), take_bytes, &output,
+                                                    &error);
+  } else {
+    const Flat flat(drawing);
+    code = source.functions<burin_writer_1>().write(&flat.lines(), given.data(), take_bytes,
+                                                    &output, &error);
+  }
   context.check();
   if (!out.good()) return;  // who owns the stream says why
   try {
@@ -86,9 +135,14 @@ void write(const Source& source, const Drawing& drawing, const std::vector<Optio
 
 }  // namespace
 
+const char* suffix_of(const burin_factory& f) {
+  return is_colored(f) ? static_cast<const burin_writer_2*>(f.functions)->suffix
+                       : static_cast<const burin_writer_1*>(f.functions)->suffix;
+}
+
 void add_writer(const Source& source) {
   add(AddedFormat{
-      .name = source.functions<burin_writer_1>().suffix,
+      .name = suffix_of(*source.factory),
       .meaning = source.factory->meaning,
       .write = [source](const Drawing& d, const std::vector<OptionValue>& values, std::ostream& out,
                         const RunContext& context) { write(source, d, values, out, context); },

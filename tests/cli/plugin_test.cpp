@@ -230,6 +230,22 @@ TEST_F(Plugins, WritersWriteAndLeaveNothingHalfDone) {
   ASSERT_EQ(run("convert @/a.json -o @/c.lst --quiet --set lst.digits=3"), 0) << err_;
 }
 
+TEST_F(Plugins, WritersGetColorsAndAreas) {
+  use("other");
+  ASSERT_EQ(run("draw @/box.off -o @/a.lar -o @/a.lbr -o @/a.json --style flat --quiet"
+                " --set fill.color=#ff8000 --set fill.ink=Spot --set line.color=#003060"),
+            0)
+      << err_;
+  const std::string list = test::slurp(folder_ / "a.lar");
+  EXPECT_TRUE(list.starts_with("#003060 1 Spot\n")) << list;
+  const json areas = json::parse(test::slurp(folder_ / "a.json"))["areas"];
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'),
+            static_cast<std::int64_t>(areas.size()) + 1);
+  EXPECT_NE(list.find("0 -1 -1 #ff8000 1.000 Spot 1.000 [] "), std::string::npos) << list;
+  // Where a plug-in has both, the newer interface writes.
+  EXPECT_EQ(list, test::slurp(folder_ / "a.lbr"));
+}
+
 TEST_F(Plugins, StrokeKindsStandOnPoints) {
   use("other");
   write_ball();

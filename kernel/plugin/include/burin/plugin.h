@@ -36,6 +36,7 @@ extern "C" {
 #define BURIN_FORM_1 "burin.form/1"
 #define BURIN_READER_1 "burin.reader/1"
 #define BURIN_WRITER_1 "burin.writer/1"
+#define BURIN_WRITER_2 "burin.writer/2"
 
 enum burin_code {
   BURIN_OK = 0,
@@ -251,6 +252,45 @@ typedef struct burin_writer_1 {
   int32_t (*write)(const burin_drawing* drawing, const burin_value* values, burin_write write,
                    burin_output* output, burin_error* error);
 } burin_writer_1;
+
+/** A region in one colour, below the lines. It goes on under regions that follow. */
+typedef struct burin_area {
+  int32_t part, face;  /* their numbers; -1: none; all faces that are seen */
+  int32_t tone;        /* 0: the darkest; -1: none */
+  const char* fill;    /* "#rrggbb"; "": nothing is painted */
+  double opacity;      /* 0 to 1 */
+  const char* ink;     /* the name of a spot ink; "": none */
+  double tint;         /* the share of that ink, 0 to 1 */
+  const char* role;    /* "legend": a square of it; "": what is seen of the part */
+  size_t first, count; /* rings; inside is what an odd number of them holds */
+} burin_area;
+typedef struct burin_ring {
+  size_t first, count; /* points; the last one joins the first */
+} burin_ring;
+typedef struct burin_ink {
+  const char* name;
+  const char* color; /* "#rrggbb", of all of it */
+} burin_ink;
+typedef struct burin_color_drawing {
+  const burin_drawing* lines;
+  const char* const* path_colors; /* "#rrggbb", one a path of `lines` */
+  size_t area_count;
+  const burin_area* areas; /* in the order of painting */
+  size_t ring_count;
+  const burin_ring* rings;
+  size_t point_count;
+  const double* points; /* of the rings: 2 a point */
+  size_t ink_count;
+  const burin_ink* inks;
+} burin_color_drawing;
+
+/** A format with colours. As burin_writer_1, in whose place it comes where a plug-in has both of
+ * one suffix. */
+typedef struct burin_writer_2 {
+  const char* suffix;
+  int32_t (*write)(const burin_color_drawing* drawing, const burin_value* values, burin_write write,
+                   burin_output* output, burin_error* error);
+} burin_writer_2;
 
 typedef struct burin_factory {
   const char* id;      /* BURIN_DIRECTION_1 ... */
