@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -119,13 +120,40 @@ std::vector<BorderSide> lines_of(const Drawing& drawing) {
 }
 
 /// Clear of lines where there is room for a dot, else as far from other parts as can be.
-InnerDisc disc_of(const Seen& seen, std::span<const BorderSide> lines) {
+InnerDisc disc_of(const Seen& seen, const std::vector<BorderSide>& lines) {
   std::vector<BorderSide> across;
   for (const BorderSide& side : lines) {
     if (box_of(side).overlaps(seen.box)) across.push_back(side);
   }
   const InnerDisc disc = largest_disc(seen.border, across);
   return disc.radius > kLeastDisc ? disc : largest_disc(seen.border);
+}
+
+/// What is seen through a part has its place where that part has its own: of two dots on one place
+/// the one with more room goes elsewhere, where it has room for a dot away from all others.
+void part_dots(const SeenParts& parts, std::vector<BorderSide> lines,
+               std::vector<Anchor>& anchors) {
+  constexpr double kOnOnePlace = 3 * kLeastDisc, kPoint = 1e-3;  // paper mm
+  const std::size_t of_drawing = lines.size();
+  std::vector<char> moved(anchors.size(), 0);
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    for (std::size_t k = i + 1; k < anchors.size(); ++k) {
+      if (glm::distance(anchors[i].at, anchors[k].at) >= kOnOnePlace) continue;
+      const auto room = [&](std::size_t one) {
+        return largest_disc(parts.at(anchors[one].part).border).radius;
+      };
+      const std::size_t wider = room(i) > room(k) ? i : k;
+      if (!anchors[wider].dot || std::exchange(moved[wider], 1) != 0) continue;
+      lines.resize(of_drawing);
+      for (std::size_t other = 0; other < anchors.size(); ++other) {
+        const Vec2 at = anchors[other].at;
+        if (other != wider) lines.push_back({at, at + kPoint});
+      }
+      const InnerDisc disc = disc_of(parts.at(anchors[wider].part), lines);
+      const double away = glm::distance(disc.middle, anchors[wider == i ? k : i].at);
+      if (disc.radius > kLeastDisc && away >= kOnOnePlace) anchors[wider].at = disc.middle;
+    }
+  }
 }
 
 double out_of(Vec2 middle, Vec2 at, CalloutOptions::Layout layout) {
@@ -175,6 +203,7 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, std::span<const Area> s
     }
     anchors.push_back(anchor);
   }
+  part_dots(parts, lines, anchors);
   return anchors;
 }
 

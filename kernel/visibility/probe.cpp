@@ -252,7 +252,15 @@ bool covered_beside(const Origin& fold, double clear) {
   // Which side of an open sheet is the open one depends on how it is oriented.
   const bool open =
       own.topology.face_component.empty() || !own.closed(static_cast<std::uint32_t>(o.face));
-  return covered(o.point + side) && (!open || covered(o.point - side));
+  // Beside the outer outline is nothing a little farther out.
+  constexpr double kFarther = 3;
+  const auto bare = [&](Vec3 beside) {
+    const double far = 2 * probe.occluder().diagonal();
+    return !probe.occluder().occluded(beside, o.view, 0, far) &&
+           !probe.occluder().occluded(beside, -o.view, 0, far);
+  };
+  return covered(o.point + side) && (!open || covered(o.point - side)) &&
+         !bare(o.point + kFarther * side);
 }
 
 }  // namespace

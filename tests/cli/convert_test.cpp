@@ -95,7 +95,7 @@ TEST_F(Convert, ErrorsAreOneLineAndLeaveNothing) {
   fails("@/r.json -o @/a.png --set dxf.spline=true", 2, "'dxf.splines'");
   fails("@/none.json -o @/a.svg", 3, "none.json: no such file");
   fails("@/broken.json -o @/a.svg", 3, "broken.json:2: broken JSON");
-  fails("@/box.off -o @/a.svg", 3, "box.off:1: broken JSON");
+  fails("@/box.off -o @/a.svg", 3, "box.off: is a model (off), not a drawing");
   fails("@/r.json -o @/none/a.svg", 4, "does not exist");
   fails("@/r.json -o /dev/full --format pdf", 4, "/dev/full: the disk is full");
   fails("@/r.json -o /dev/full --format png", 4, "/dev/full: the disk is full");

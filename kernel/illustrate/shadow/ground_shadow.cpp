@@ -43,11 +43,12 @@ class Edges {
 
   void add(std::span<const Vec2> line) {
     std::vector<Vec2> points;
-    std::vector<bool> open;  // of the piece that ends at a point
+    std::vector<bool> open, corner;  // of the piece that ends at a point; of the point
     for (const std::size_t i : simplify(line, kLineTolerance)) {
       if (points.empty()) {
         points.push_back(line[i]);
         open.push_back(false);
+        corner.push_back(true);
         continue;
       }
       const Vec2 a = points.back(), b = line[i];
@@ -55,9 +56,10 @@ class Edges {
       for (int k = 1; k <= n; ++k) {
         points.push_back(glm::mix(a, b, static_cast<double>(k) / n));
         open.push_back(is_open(points[points.size() - 2], points.back()));
+        corner.push_back(k == n);
       }
     }
-    keep(points, open);
+    keep(points, open, corner);
   }
 
   std::vector<BorderLine> get() const {
@@ -74,13 +76,16 @@ class Edges {
     return std::ranges::any_of(kBeside, [&](double off) { return passes_(middle + off * across); });
   }
 
-  /// Open pieces, and those next to them, which may be so in part.
-  void keep(const std::vector<Vec2>& points, const std::vector<bool>& open) {
+  /// Open pieces, and those next to them, which may be so in part; straight ones as one.
+  void keep(const std::vector<Vec2>& points, const std::vector<bool>& open,
+            const std::vector<bool>& corner) {
     bool going_on = false;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const bool kept = open[i] || open[i - 1] || (i + 1 < points.size() && open[i + 1]);
       if (kept && !going_on) lines_.push_back({points[i - 1]});
-      if (kept) lines_.back().push_back(points[i]);
+      const bool straight_on = kept && going_on && !corner[i - 1];
+      if (straight_on) lines_.back().back() = points[i];
+      if (kept && !straight_on) lines_.back().push_back(points[i]);
       going_on = kept;
     }
   }

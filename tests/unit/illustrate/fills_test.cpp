@@ -312,17 +312,17 @@ std::vector<std::string> seen_colors(const Scene& scene, const Style& style) {
 TEST(Fills, TheLegendHasColoursOfFacesAndThoseThatAreSeenAlone) {
   Scene scene = painted_plate();
   using Strings = std::vector<std::string>;
-  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#00ff00", "#ff0000", "#0000ff"}));
-  EXPECT_EQ(seen_colors(scene, builtin_style("cel")), (Strings{"#00ff00", "#ff0000", "#0000ff"}))
+  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#00ff00", "#ff0000", "#3366ff"}));
+  EXPECT_EQ(seen_colors(scene, builtin_style("cel")), (Strings{"#00ff00", "#ff0000", "#3366ff"}))
       << "in whatever tone";
   // All of the front in colours of its own: the green of the part is at its back alone.
   scene.parts[0].face_colors =
-      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff"}, {0, 0, 1}});
-  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#ff0000", "#0000ff"}));
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#3366ff"}, {0, 0, 1}});
+  EXPECT_EQ(seen_colors(scene, builtin_style("flat")), (Strings{"#ff0000", "#3366ff"}));
   Style style = builtin_style("flat");
   style.fill.opacity = 0.5;
   style.shadow.ground = true;  // mixes colours with the paper
-  EXPECT_EQ(seen_colors(scene, style), (Strings{"#ff0000", "#0000ff"}));
+  EXPECT_EQ(seen_colors(scene, style), (Strings{"#ff0000", "#3366ff"}));
   style.fill.ink = "Blue";
   EXPECT_EQ(seen_colors(scene, style).size(), 2u);
 }
@@ -330,7 +330,7 @@ TEST(Fills, TheLegendHasColoursOfFacesAndThoseThatAreSeenAlone) {
 TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
   Scene scene = painted_plate();
   scene.parts[0].face_colors =
-      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#0000ff33"}, {-1, 0, 1}});
+      std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#3366ff33"}, {-1, 0, 1}});
   std::vector<PartStyle> looks(1);
   looks[0].transparent = true;
   const Drawing drawing = draw(scene, builtin_style("flat"), looks);
@@ -343,9 +343,9 @@ TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found["#00ff00"].first, 0.25);
   EXPECT_EQ(found["#ff0000"].first, 0.25) << "as the part";
-  EXPECT_EQ(found["#0000ff"].first, 0.2);
+  EXPECT_EQ(found["#3366ff"].first, 0.2);
   EXPECT_NEAR(found["#ff0000"].second / all, 150 / 800.0, 1e-3);
-  EXPECT_NEAR(found["#0000ff"].second / all, 200 / 800.0, 1e-3);
+  EXPECT_NEAR(found["#3366ff"].second / all, 200 / 800.0, 1e-3);
   const auto tells = [](const Drawing& d) {
     return std::ranges::any_of(d.diagnostics.entries(),
                                [](const Diagnostic& e) { return e.code == "fill.solid_glass"; });
@@ -355,7 +355,7 @@ TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
   const Drawing solid = draw(scene, builtin_style("flat"));
   EXPECT_TRUE(tells(solid));
   for (const Area& area : solid.areas) EXPECT_EQ(area.opacity, 1);
-  EXPECT_TRUE(sizes_of_colors(solid).contains("#0000ff"));
+  EXPECT_TRUE(sizes_of_colors(solid).contains("#3366ff"));
   EXPECT_FALSE(tells(draw(scene, builtin_style("outline"))));
 }
 
@@ -419,10 +419,10 @@ TEST(Fills, OfFacesAreHatchedOnceInTheirColours) {
         lengths[path.color] += glm::distance(path.points[0], path.points[1]);
       }
     }
-    const double all = lengths["#00ff00"] + lengths["#ff0000"] + lengths["#0000ff"];
+    const double all = lengths["#00ff00"] + lengths["#ff0000"] + lengths["#3366ff"];
     EXPECT_EQ(lengths.size(), 3u);
     EXPECT_NEAR(lengths["#ff0000"] / all, 150 / 800.0, 2e-3) << opacity;
-    EXPECT_NEAR(lengths["#0000ff"] / all, 200 / 800.0, 2e-3) << opacity;
+    EXPECT_NEAR(lengths["#3366ff"] / all, 200 / 800.0, 2e-3) << opacity;
     for (const Area& area : drawing.areas) EXPECT_EQ(area.fill.empty(), opacity == 0);
   }
   // In one colour no line is drawn twice.

@@ -357,7 +357,7 @@ TEST(VisibleSpans, HidesAContourBehindABulgeOfFewFacets) {
     }
   }
   EXPECT_GT(seen, 9000);
-  EXPECT_LT(hidden, 0.016 * seen);  // what is left are coarse facets; 0.03 without looking beside
+  EXPECT_LT(hidden, 0.021 * seen);  // what is left are coarse facets; 0.03 without looking beside
 }
 
 // --- smooth surfaces
