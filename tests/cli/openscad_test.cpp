@@ -134,6 +134,15 @@ TEST_F(OpenscadOnPathTest, ANewerOneReadsWhatTheFirstDoesNotKnow) {
   EXPECT_EQ(err_.find("Ignoring unknown"), std::string::npos) << err_;
 }
 
+TEST_F(OpenscadOnPathTest, AFailedAssertionIsAnErrorThoughTheProgramEndsWell) {
+  add_program("openscad",
+              kHelp + std::string("printf 'cube(size = [1, 1, 1], center = false);\\n' > "
+                                  "/dev/fd/3\necho \"ERROR: Assertion '(x > 1)' failed "
+                                  "in file m.scad, line 2\"\n"));
+  EXPECT_EQ(draw("cube(1);\nassert(x > 1);"), 3);
+  expect_error("m.scad:2: Assertion '(x > 1)' failed");
+}
+
 TEST_F(OpenscadOnPathTest, WithoutANewerOneTheMessageSaysHowToGetOne) {
   add_old_openscad("ERROR: Parser error: syntax error in file m.scad, line 1");
   EXPECT_EQ(draw("cube(1,);"), 3);

@@ -241,7 +241,7 @@ TEST_F(Plugins, WritersGetColorsAndAreas) {
   const json areas = json::parse(test::slurp(folder_ / "a.json"))["areas"];
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'),
             static_cast<std::int64_t>(areas.size()) + 1);
-  EXPECT_NE(list.find("0 -1 -1 #ff8000 1.000 Spot 1.000 [] "), std::string::npos) << list;
+  EXPECT_NE(list.find("0 -1 -1 #ffd9b3 1.000 Spot 0.300 [] "), std::string::npos) << list;
   // Where a plug-in has both, the newer interface writes.
   EXPECT_EQ(list, test::slurp(folder_ / "a.lbr"));
 }

@@ -3,7 +3,7 @@
 //
 //   node openscad.mjs -o OUT --export-format csg FILE.scad
 //
-// Exit status 127: the package is not there. It is looked for in the folders of NODE_PATH, in node_modules above this
+// Exit status 127: the package is not there. It is looked for in the absolute folders of NODE_PATH, in node_modules above this
 // file and in the home folder, then among the packages that npm installs for all. It is not looked for beside the
 // model: to draw somebody's model must not run a program that came with it.
 import fs from "node:fs";
@@ -32,7 +32,11 @@ function findPackage() {
     "/usr/lib/node_modules",
     "/usr/share/nodejs",
   ];
-  return folders.map((folder) => path.join(folder, PACKAGE)).find((folder) => fs.existsSync(path.join(folder, "package.json")));
+  // A folder without a root would begin in that of the model.
+  return folders
+    .filter((folder) => path.isAbsolute(folder))
+    .map((folder) => path.join(folder, PACKAGE))
+    .find((folder) => fs.existsSync(path.join(folder, "package.json")));
 }
 
 // Numbers of errors as WebAssembly's C library has them.
