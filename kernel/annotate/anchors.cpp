@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -31,6 +32,8 @@ Box2 box_of(const BorderSide& side) {
 struct Seen {
   std::vector<BorderSide> border;
   Box2 box;
+  /// Its place among the parts: of glass first, which lies over the rest.
+  std::size_t order = 0;
 
   void add(const Area& area) {
     for (const std::vector<Vec2>& ring : area.rings) {
@@ -42,13 +45,20 @@ struct Seen {
   }
 
   /// Whether a point is on it or beside it.
-  bool shows(Vec2 p) const {
+  bool shows(Vec2 p) const { return holds(p) || distance(border, p) < kBesidePart; }
+  bool holds(Vec2 p) const {
     bool inside = false;
     for (const auto& [a, b] : border) {
-      if (glm::distance(p, a + nearest_along(a, b - a, p) * (b - a)) < kBesidePart) return true;
       if (crosses_ray(a, b, p)) inside = !inside;
     }
     return inside;
+  }
+  static double distance(std::span<const BorderSide> sides, Vec2 p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : sides) {
+      least = std::min(least, glm::distance(p, a + nearest_along(a, b - a, p) * (b - a)));
+    }
+    return least;
   }
 };
 
@@ -57,7 +67,11 @@ using SeenParts = std::map<std::int32_t, Seen>;
 
 SeenParts parts_of(std::span<const Area> areas) {
   SeenParts parts;
-  for (const Area& area : areas) parts[area.part].add(area);
+  for (const Area& area : areas) {
+    const auto [at, is_new] = parts.try_emplace(area.part);
+    if (is_new) at->second.order = parts.size();
+    at->second.add(area);
+  }
   return parts;
 }
 
@@ -127,6 +141,39 @@ InnerDisc disc_of(const Seen& seen, const std::vector<BorderSide>& lines) {
   }
   const InnerDisc disc = largest_disc(seen.border, across);
   return disc.radius > kLeastDisc ? disc : largest_disc(seen.border);
+}
+
+/// A dot on what is seen through its part would name that: it goes to where the part alone is seen,
+/// if there is room for one.
+void leave_what_is_behind(const SeenParts& parts, const std::vector<BorderSide>& lines,
+                          Anchor& anchor) {
+  constexpr double kMostPlaces = 40;  // each way
+  const Seen& own = parts.at(anchor.part);
+  std::vector<const Seen*> behind;
+  for (const auto& [part, other] : parts) {
+    if (other.order > own.order && other.box.overlaps(own.box)) behind.push_back(&other);
+  }
+  const auto is_through = [&](Vec2 p) {
+    return std::ranges::any_of(behind, [&](const Seen* other) { return other->holds(p); });
+  };
+  if (!anchor.dot || !is_through(anchor.at)) return;
+  std::vector<BorderSide> sides = own.border;
+  for (const BorderSide& side : lines) {
+    if (box_of(side).overlaps(own.box)) sides.push_back(side);
+  }
+  const Vec2 size = own.box.size();
+  const double step = std::max(kLeastDisc, std::max(size.x, size.y) / kMostPlaces);
+  double widest = kLeastDisc;
+  for (double y = own.box.min.y + 0.5 * step; y < own.box.max.y; y += step) {
+    for (double x = own.box.min.x + 0.5 * step; x < own.box.max.x; x += step) {
+      const Vec2 p(x, y);
+      if (!own.holds(p) || is_through(p)) continue;
+      const double room = Seen::distance(sides, p);
+      if (room <= widest) continue;
+      widest = room;
+      anchor.at = p;
+    }
+  }
 }
 
 /// What is seen through a part has its place where that part has its own: of two dots on one place
@@ -201,6 +248,7 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, std::span<const Area> s
       const auto line = longest_line(by_part, anchor.part, parts.at(anchor.part));
       if (line) anchor.at = *line;
     }
+    leave_what_is_behind(parts, lines, anchor);
     anchors.push_back(anchor);
   }
   part_dots(parts, lines, anchors);

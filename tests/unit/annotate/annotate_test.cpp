@@ -111,6 +111,31 @@ TEST(Annotate, LeadersBeginInTheLargestDiscWithoutALineAndAtTheLineOfWhatIsNarro
   EXPECT_EQ(drawing.diagnostics.entries()[0].code, "callouts.not_shown");
 }
 
+TEST(Annotate, GlassHasItsDotWhereItAloneIsSeen) {
+  // A pane; behind its middle a plate. Then a pane that the plate fills: their dots part.
+  for (const double margin : {12.0, 0.0}) {
+    const Vec2 low(100, 60), high(160, 100);
+    const std::vector<Area> seen{{.part = 1, .rings = {rectangle(low, high)}},
+                                 {.part = 0, .rings = {rectangle(low + margin, high - margin)}}};
+    Drawing drawing;
+    drawing.layers = {{"outline", {line(1, seen[0].rings[0]), line(0, seen[1].rings[0])}}};
+    for (Path& path : drawing.layers[0].paths) path.closed = true;
+    Annotations over;
+    over.items = {{1, "plate", {0}, "", ""}, {2, "pane", {1}, "", ""}};
+    over.callouts = true;
+    over.margin = Margin(10);
+    RunContext context;
+    annotate(drawing, seen, over, {}, context);
+    const auto at = begins(drawing);
+    ASSERT_EQ(at.size(), 2U);
+    EXPECT_GT(glm::distance(at[0].first, at[1].first), 2);
+    const Vec2 pane = at[1].first;
+    EXPECT_TRUE(pane.x > low.x && pane.x < high.x && pane.y > low.y && pane.y < high.y);
+    const Box2 plate{low + margin, high - margin};
+    EXPECT_EQ(plate.contains(pane), margin == 0);
+  }
+}
+
 TEST(Annotate, OfPartsThatAreSeenAlikeTheFirstOfTheOutermostCounts) {
   std::vector<Area> seen;
   for (int i = 0; i < 3; ++i) {
