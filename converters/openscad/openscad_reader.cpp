@@ -96,15 +96,15 @@ struct Program {
 
 /// Runs a program whose calls of modules are marked; false where that gives no tree: the program as
 /// it stands says why.
-bool run_marked(const Path& path, const OpenscadOptions& options, Program& out,
-                RunContext& context) {
+bool run_marked(const Path& path, const OpenscadOptions& options,
+                detail::OpenscadPrograms& programs, Program& out, RunContext& context) {
   std::optional<detail::MarkedProgram> marked = detail::mark_calls(out.text);
   if (!marked) return false;
   const auto start = std::chrono::steady_clock::now();
   try {
     const detail::MemoryFile tree;
-    out.said =
-        detail::run_openscad(path, options, detail::Makes::Tree, tree, context, &marked->text);
+    out.said = detail::run_openscad(path, options, programs, detail::Makes::Tree, tree, context,
+                                    &marked->text);
     out.tree = csg::parse(detail::contents(tree), path.string(), context);
   } catch (const InputError&) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -115,16 +115,17 @@ bool run_marked(const Path& path, const OpenscadOptions& options, Program& out,
   return true;
 }
 
-Program run_program(const Path& path, const OpenscadOptions& options, RunContext& context) {
+Program run_program(const Path& path, const OpenscadOptions& options,
+                    detail::OpenscadPrograms& programs, RunContext& context) {
   Program out;
   if (auto tree = tree_in(path, options, context)) {
     out.tree = std::move(*tree);
     return out;
   }
   out.text = text_of(path, context);
-  if (run_marked(path, options, out, context)) return out;
+  if (run_marked(path, options, programs, out, context)) return out;
   const detail::MemoryFile tree;
-  out.said = detail::run_openscad(path, options, detail::Makes::Tree, tree, context);
+  out.said = detail::run_openscad(path, options, programs, detail::Makes::Tree, tree, context);
   try {
     out.tree = csg::parse(detail::contents(tree), path.string(), context);
   } catch (const InputError& e) {
@@ -134,8 +135,9 @@ Program run_program(const Path& path, const OpenscadOptions& options, RunContext
 }
 
 /// Throws NotEvaluated for a tree that is none that Burin knows.
-Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& context) {
-  Program out = run_program(path, options, context);
+Program evaluated(const Path& path, const OpenscadOptions& options,
+                  detail::OpenscadPrograms& programs, RunContext& context) {
+  Program out = run_program(path, options, programs, context);
   if (const std::string what = csg::not_known_in(out.tree); !what.empty()) {
     throw csg::NotEvaluated(what + " is OpenSCAD's alone");
   }
@@ -143,10 +145,11 @@ Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& 
 }
 
 /// By OpenSCAD alone: one part.
-MeshFile rendered(const Path& path, const OpenscadOptions& options, RunContext& context) {
+MeshFile rendered(const Path& path, const OpenscadOptions& options,
+                  detail::OpenscadPrograms& programs, RunContext& context) {
   const detail::MemoryFile mesh;
   Diagnostics diagnostics =
-      detail::run_openscad(path, options, detail::Makes::Mesh, mesh, context).diagnostics;
+      detail::run_openscad(path, options, programs, detail::Makes::Mesh, mesh, context).diagnostics;
   check_mesh(mesh, path);
   MeshFile file = in_the_name_of(path, [&] { return read_mesh_file(mesh.path(), context); });
   for (PolygonSoup& soup : file.objects) soup.name.clear();
@@ -190,12 +193,12 @@ auto made_of(const Program& program, const Path& path, const Make& make) {
 
 /// The same by Burin; nothing where it is OpenSCAD's turn, of which `why` is told.
 template <typename Make>
-auto made_here(const Path& path, const OpenscadOptions& options, Diagnostics& why,
-               RunContext& context, const Make& make)
+auto made_here(const Path& path, const OpenscadOptions& options, detail::OpenscadPrograms& programs,
+               Diagnostics& why, RunContext& context, const Make& make)
     -> std::optional<decltype(make(std::declval<const Program&>()))> {
   if (options.csg == CsgBy::Openscad) return std::nullopt;
   try {
-    return made_of(evaluated(path, options, context), path, make);
+    return made_of(evaluated(path, options, programs, context), path, make);
   } catch (const csg::NotEvaluated& e) {
     if (options.csg == CsgBy::Burin) throw InputError(e.what(), path.string());
     why.add(Severity::Info, "openscad.by_openscad", 1,
@@ -206,16 +209,18 @@ auto made_here(const Path& path, const OpenscadOptions& options, Diagnostics& wh
 
 /// The parts, by Burin.
 std::optional<ReadResult> parts_here(const Path& path, const OpenscadOptions& options,
-                                     detail::Shapes shapes, Diagnostics& why, RunContext& context) {
-  return made_here(path, options, why, context, [&](const Program& program) {
+                                     detail::OpenscadPrograms& programs, detail::Shapes shapes,
+                                     Diagnostics& why, RunContext& context) {
+  return made_here(path, options, programs, why, context, [&](const Program& program) {
     return detail::scene_of_tree(program.tree, program.calls, program.text, path, options, shapes,
                                  context);
   });
 }
 
-ReadResult functions_in(const Path& path, const OpenscadOptions& options, RunContext& context) {
+ReadResult functions_in(const Path& path, const OpenscadOptions& options,
+                        detail::OpenscadPrograms& programs, RunContext& context) {
   try {
-    return made_of(evaluated(path, options, context), path, [&](const Program& program) {
+    return made_of(evaluated(path, options, programs, context), path, [&](const Program& program) {
       return detail::functions_of_tree(program.tree, program.calls, program.text, path, context);
     });
   } catch (const csg::NotEvaluated& e) {
@@ -233,11 +238,12 @@ bool is_openscad_suffix(const Path& path) {
 
 ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunContext& context) {
   Diagnostics why;
-  if (options.implicit) return functions_in(path, options, context);
-  if (auto made = parts_here(path, options, detail::Shapes::Shared, why, context)) {
+  detail::OpenscadPrograms programs;
+  if (options.implicit) return functions_in(path, options, programs, context);
+  if (auto made = parts_here(path, options, programs, detail::Shapes::Shared, why, context)) {
     return std::move(*made);
   }
-  Scene scene = repair_parts(rendered(path, options, context), path, context,
+  Scene scene = repair_parts(rendered(path, options, programs, context), path, context,
                              options.round ? Facets::Recognised : Facets::Kept);
   why.append(scene.diagnostics);
   scene.diagnostics = std::move(why);
@@ -247,12 +253,13 @@ ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunCo
 OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& options, RunContext& context) {
   OpenscadOptions exported = options;
   exported.preview = false;
+  detail::OpenscadPrograms programs;
   Diagnostics why;
-  auto made = made_here(path, exported, why, context, [&](const Program& program) {
+  auto made = made_here(path, exported, programs, why, context, [&](const Program& program) {
     return detail::whole_of_tree(program.tree, path, context);
   });
   if (made) return std::move(*made);
-  MeshFile file = rendered(path, exported, context);
+  MeshFile file = rendered(path, exported, programs, context);
   OpenscadMesh out{{}, std::move(why)};
   out.diagnostics.append(file.diagnostics);
   out.mesh = repair(std::move(file.objects.front()), {}, out.diagnostics, context);
@@ -263,16 +270,18 @@ FileInfo inspect_openscad(const Path& path, const OpenscadOptions& options, RunC
   FileInfo info;
   info.file = path.string();
   info.format = "OpenSCAD";
+  detail::OpenscadPrograms programs;
   if (options.implicit) {
-    const Scene functions = functions_in(path, options, context).scene;
+    const Scene functions = functions_in(path, options, programs, context).scene;
     info.diagnostics.append(functions.diagnostics);
     for (const Part& part : functions.parts) {
       info.parts.push_back(measure_realised_part(part, info.diagnostics, context));
     }
     return info;
   }
-  auto made = parts_here(path, options, detail::Shapes::Meshes, info.diagnostics, context);
-  if (!made) made = {repair_parts(rendered(path, options, context), path, context)};
+  auto made =
+      parts_here(path, options, programs, detail::Shapes::Meshes, info.diagnostics, context);
+  if (!made) made = {repair_parts(rendered(path, options, programs, context), path, context)};
   info.diagnostics.append(made->scene.diagnostics);
   for (const Part& part : made->scene.parts) {
     info.parts.push_back(measure_mesh_part(part, context));

@@ -8,7 +8,6 @@
 #include "messages.h"
 #include "named_files.h"
 #include "program_text.h"
-#include "programs.h"
 #include "source.h"
 #include "text.h"
 
@@ -168,8 +167,9 @@ std::string contents(const MemoryFile& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
-                           const MemoryFile& out, RunContext& context, const std::string* instead) {
+ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options,
+                           OpenscadPrograms& programs, Makes makes, const MemoryFile& out,
+                           RunContext& context, const std::string* instead) {
   check_openscad_defines(options.defines);
   std::int64_t lines = 0;
   std::vector<std::string> defines = options.defines;
@@ -199,36 +199,35 @@ ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options, Mak
   run.file = &out;
   run.timeout = options.timeout;
   run.doing = makes == Makes::Mesh ? "OpenSCAD makes the mesh" : "OpenSCAD runs the program";
-  OpenscadPrograms programs;
-  std::optional<OpenscadProgram> program = programs.next(context);
+  OpenscadProgram program = programs.current(context);
   for (;;) {
-    run.arguments = arguments_of(*program, makes, defines);
+    run.arguments = arguments_of(program, makes, defines);
     run.arguments.push_back(instead ? "-" : std::filesystem::absolute(path).string());
-    run.bounded = program->bounded;
+    run.bounded = program.bounded;
     Messages messages(path.filename().string(), run.folder);
     run.line = [&](const std::string& line) { messages.add(line); };
     const SubprocessEnd end = run_subprocess(run, context);
     messages.end();
-    if (end.start_error != 0) program->fail_to_start(end.start_error);
+    if (end.start_error != 0) program.fail_to_start(end.start_error);
     const std::optional<std::string> unknown = messages.not_understood();
     std::optional<OpenscadProgram> newer;
     if (unknown) newer = programs.next(context);
     if (newer) {
-      unused.add(Severity::Info, "openscad.newer", 1,
-                 fmt::format("{}: {} does not know {}; {} reads it", path.string(), program->name,
-                             *unknown, newer->name));
-      program = std::move(newer);
+      programs.note = fmt::format("{}: {} does not know {}; {} reads it", path.string(),
+                                  program.name, *unknown, newer->name);
+      program = std::move(*newer);
       out.clear();
       continue;
     }
-    const char* hint = program->newest ? "" : kNewer;
+    const char* hint = program.newest ? "" : kNewer;
     const Verdict verdict(path, lines, messages, hint);
     verdict.check(end, options.timeout, out.size());
     if (unknown) {
       unused.add(
           Severity::Warning, "openscad.newer", 1,
-          fmt::format("{}: {} does not know {}{}", path.string(), program->name, *unknown, hint));
+          fmt::format("{}: {} does not know {}{}", path.string(), program.name, *unknown, hint));
     }
+    if (!programs.note.empty()) unused.add(Severity::Info, "openscad.newer", 1, programs.note);
     ProgramOutput said = verdict.said();
     unused.append(said.diagnostics);
     said.diagnostics = std::move(unused);

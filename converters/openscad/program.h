@@ -5,6 +5,7 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/openscad_reader.h>
 
+#include "programs.h"
 #include "subprocess.h"
 
 #include <filesystem>
@@ -39,10 +40,11 @@ struct ProgramOutput {
 };
 
 /// Runs OpenSCAD on a file; what it makes (a binary STL, or the text of the evaluated tree) is left
-/// in `out`. `instead`: a text that stands for that of the file, line by line; absent: its own.
-/// Throws as `read_openscad`.
+/// in `out`. `programs`: the one that is tried first is that which ran last; what it does not know
+/// is tried with the next. `instead`: a text that stands for that of the file, line by line;
+/// absent: its own. Throws as `read_openscad`.
 ProgramOutput run_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
-                           Makes makes, const MemoryFile& out, RunContext& context,
-                           const std::string* instead = nullptr);
+                           OpenscadPrograms& programs, Makes makes, const MemoryFile& out,
+                           RunContext& context, const std::string* instead = nullptr);
 
 }  // namespace burin::detail

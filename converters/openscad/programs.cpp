@@ -105,13 +105,19 @@ OpenscadPrograms::OpenscadPrograms() {
                          true});
 }
 
+OpenscadProgram OpenscadPrograms::current(RunContext& context) {
+  // Without any the first call throws.
+  return found_ ? *found_ : *next(context);
+}
+
 std::optional<OpenscadProgram> OpenscadPrograms::next(RunContext& context) {
   for (; at_ < candidates_.size(); ++at_) {
     OpenscadProgram& program = candidates_[at_];
     const Answer answer = ask(program, context);
     if (answer.end.start_error == 0 && answer.exports) {
-      found_ = true;
-      return candidates_[at_++];
+      found_ = program;
+      ++at_;
+      return found_;
     }
     if (named_by_user_ && answer.end.start_error != 0) {
       throw InputError(

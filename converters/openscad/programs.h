@@ -39,11 +39,18 @@ class OpenscadPrograms {
   /// The next one, asked for its help (up to 30 s: a cold start reads all fonts), or nothing.
   /// Throws InputError where BURIN_OPENSCAD names none, or where there is none at all; Cancelled.
   std::optional<OpenscadProgram> next(RunContext& context);
+  /// The one that `next` gave last, or its first.
+  OpenscadProgram current(RunContext& context);
+
+  /// Why it is not the first, for the user; empty where it is.
+  std::string note;
 
  private:
   std::vector<OpenscadProgram> candidates_;
   std::size_t at_ = 0;
-  bool named_by_user_ = false, found_ = false;
+  bool named_by_user_ = false;
+  /// What `next` gave last.
+  std::optional<OpenscadProgram> found_;
   /// Why the first that is there cannot be used.
   std::string reason_;
 };
