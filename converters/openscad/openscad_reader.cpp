@@ -201,8 +201,9 @@ auto made_here(const Path& path, const OpenscadOptions& options, detail::Opensca
     return made_of(evaluated(path, options, programs, context), path, make);
   } catch (const csg::NotEvaluated& e) {
     if (options.csg == CsgBy::Burin) throw InputError(e.what(), path.string());
-    why.add(Severity::Info, "openscad.by_openscad", 1,
-            fmt::format("{}: OpenSCAD makes the mesh, as one part: {}", path.string(), e.what()));
+    why.add(Severity::Warning, "openscad.by_openscad", 1,
+            fmt::format("{}: OpenSCAD makes the mesh, as one part without names and colours: {}",
+                        path.string(), e.what()));
     return std::nullopt;
   }
 }
