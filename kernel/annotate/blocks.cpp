@@ -33,6 +33,16 @@ Box2 rest_of(const Box2& box, bool beside, const Box2& frame) {
   return rest;
 }
 
+bool holds(const Box2& outer, const Box2& inner) {
+  return glm::all(glm::lessThanEqual(outer.min, inner.min)) &&
+         glm::all(glm::greaterThanEqual(outer.max, inner.max));
+}
+
+Vec2 size_of(const BlockPlan& plan, const BlockSizes& sizes) {
+  return {static_cast<double>(plan.blocks) * sizes.block,
+          static_cast<double>(plan.rows + sizes.heading) * sizes.row};
+}
+
 }  // namespace
 
 std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame) {
@@ -42,8 +52,7 @@ std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, co
   double most = 0, most_height = 0;
   for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
     BlockPlan plan{.blocks = blocks, .rows = (n + blocks - 1) / blocks};
-    const Vec2 taken(static_cast<double>(blocks) * sizes.block,
-                     static_cast<double>(plan.rows + sizes.heading) * sizes.row);
+    const Vec2 taken = size_of(plan, sizes);
     if (taken.x > size.x || taken.y > size.y) continue;
     // More blocks only where fewer are too tall: a table is read downwards.
     if (best && most_height <= kTallest * size.y) break;
@@ -59,6 +68,17 @@ std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, co
     }
   }
   return best;
+}
+
+BlockPlan place_within(const BlockPlan& kept, const BlockSizes& sizes, Corner corner,
+                       const Box2& frame) {
+  const auto alone = place_blocks(sizes, corner, frame);
+  if (alone && holds(kept.box, alone->box) && holds(alone->rest, kept.rest)) return *alone;
+  BlockPlan plan = kept;
+  plan.blocks = (sizes.rows + kept.rows - 1) / kept.rows;
+  plan.rows = (sizes.rows + plan.blocks - 1) / plan.blocks;
+  plan.box = in_corner(corner, size_of(plan, sizes), kept.box);
+  return plan;
 }
 
 }  // namespace burin::detail

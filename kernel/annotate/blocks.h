@@ -26,4 +26,10 @@ struct BlockSizes {
 /// Nothing where it would take more than 70 % of the frame's width and height.
 std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame);
 
+/// Places a table in the box of one that has as many rows or more, and blocks as wide or wider: as
+/// if it had the frame for itself where that stays in the box, else in as few blocks as fit its
+/// height.
+BlockPlan place_within(const BlockPlan& kept, const BlockSizes& sizes, Corner corner,
+                       const Box2& frame);
+
 }  // namespace burin::detail

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace burin::detail {
 namespace {
@@ -13,24 +14,34 @@ namespace {
 constexpr double kWidestName = 24;  // heights of letters, as in the parts list
 constexpr double kRounding = 1e-6;  // paper mm
 
+/// Of a square with a name beside it, paper mm; `seen`: of rows that are seen alone.
+double width_of(const std::vector<LegendRow>& rows, bool seen, double square, double h) {
+  double name = 0;
+  for (const LegendRow& row : rows) {
+    if (seen && !row.seen) continue;
+    name = std::max(name, std::min(text_width(row.name, h), kWidestName * h));
+  }
+  return square + 0.8 * h + name + 1.2 * h;
+}
+
 }  // namespace
 
 std::optional<LegendPlan> plan_legend(const Annotations& annotations, const CalloutOptions& style,
                                       const Box2& frame) {
-  if (annotations.legend.empty()) return std::nullopt;
+  const std::vector<LegendRow>& rows = annotations.legend;
+  const auto seen = static_cast<std::size_t>(std::ranges::count(rows, true, &LegendRow::seen));
+  if (seen == 0) return std::nullopt;
   const double h = style.list_height;
   LegendPlan plan;
   plan.row = 2 * h;
   plan.square = 1.4 * h;
-  double name = 0;
-  for (const LegendRow& row : annotations.legend) {
-    name = std::max(name, std::min(text_width(row.name, h), kWidestName * h));
-  }
-  plan.block = plan.square + 0.8 * h + name + 1.2 * h;
-  const auto blocks =
-      place_blocks({plan.row, plan.block, annotations.legend.size()}, style.legend, frame);
-  if (!blocks) return std::nullopt;
-  static_cast<BlockPlan&>(plan) = *blocks;
+  const auto room = place_blocks({plan.row, width_of(rows, false, plan.square, h), rows.size()},
+                                 style.legend, frame);
+  if (!room) return std::nullopt;
+  plan.block = width_of(rows, true, plan.square, h);
+  static_cast<BlockPlan&>(plan) =
+      seen == rows.size() ? *room
+                          : place_within(*room, {plan.row, plan.block, seen}, style.legend, frame);
   return plan;
 }
 
@@ -38,8 +49,9 @@ void lay_legend(const LegendPlan& plan, const Annotations& annotations, const Ca
                 Drawing& drawing) {
   const double h = style.list_height;
   Layer layer{"legend", {}};
-  for (std::size_t i = 0; i < annotations.legend.size(); ++i) {
-    const LegendRow& row = annotations.legend[i];
+  std::size_t i = 0;
+  for (const LegendRow& row : annotations.legend) {
+    if (!row.seen) continue;
     const std::size_t column = i / plan.rows;
     const double left = plan.box.min.x + static_cast<double>(column) * plan.block;
     const double middle = plan.box.max.y - (static_cast<double>(i % plan.rows) + 0.5) * plan.row;
@@ -60,6 +72,7 @@ void lay_legend(const LegendPlan& plan, const Annotations& annotations, const Ca
                            fitted_text(row.name, h, most + kRounding),
                            "legend",
                            row.item});
+    ++i;
   }
   drawing.layers.push_back(std::move(layer));
 }

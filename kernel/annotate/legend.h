@@ -14,7 +14,8 @@ struct LegendPlan : BlockPlan {
   double row = 0, square = 0, block = 0;
 };
 
-/// Nothing where there is no legend or no room for it.
+/// Nothing where no row of a legend is seen or all its rows have no room. Those that are seen keep
+/// to the box that all would take.
 std::optional<LegendPlan> plan_legend(const Annotations& annotations, const CalloutOptions& style,
                                       const Box2& frame);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,15 +57,21 @@ void add_legend(const std::optional<LegendPlan>& plan, const Annotations& annota
     return;
   }
   std::vector<std::string> names;
-  for (const LegendRow& row : annotations.legend) names.push_back(row.name);
+  for (const LegendRow& row : annotations.legend) {
+    if (row.seen) names.push_back(row.name);
+  }
   if (!annotations.parts_list) report_missing(names, drawing.diagnostics);
   lay_legend(*plan, annotations, style, drawing);
+}
+
+bool has_legend(const Annotations& annotations) {
+  return std::ranges::any_of(annotations.legend, &LegendRow::seen);
 }
 
 }  // namespace
 
 bool Tables::fit(const Annotations& annotations) const {
-  return (list || !annotations.parts_list) && (legend || annotations.legend.empty());
+  return (list || !annotations.parts_list) && (legend || !has_legend(annotations));
 }
 
 Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame) {
@@ -79,7 +86,7 @@ Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, 
 void lay_tables(const Tables& tables, const Annotations& annotations, const CalloutOptions& style,
                 Drawing& drawing) {
   if (annotations.parts_list) add_list(tables.list, annotations, style, drawing);
-  if (!annotations.legend.empty()) add_legend(tables.legend, annotations, style, drawing);
+  if (has_legend(annotations)) add_legend(tables.legend, annotations, style, drawing);
 }
 
 }  // namespace detail

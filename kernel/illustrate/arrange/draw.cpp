@@ -25,7 +25,8 @@ std::optional<Illustration> with_legend_as_seen(const Scene& scene, const SheetO
   }
   Annotations seen =
       with_seen_rows(scene, illustration.style, illustration.illustrate, drawing.areas);
-  if (seen.legend.size() == over->legend.size()) return std::nullopt;
+  if (std::erase_if(seen.legend, [](const LegendRow& row) { return !row.seen; }) == 0)
+    return std::nullopt;
   Illustration out = illustration;
   out.illustrate.annotations = std::move(seen);
   return out;

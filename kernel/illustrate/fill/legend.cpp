@@ -111,8 +111,7 @@ Annotations with_seen_rows(const Scene& scene, const Style& style, const Illustr
   Annotations out = *options.annotations;
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
-  std::erase_if(out.legend,
-                [&](const LegendRow& row) { return !is_seen(row, out.items, shades, areas); });
+  for (LegendRow& row : out.legend) row.seen = is_seen(row, out.items, shades, areas);
   return out;
 }
 

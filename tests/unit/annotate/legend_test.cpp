@@ -77,6 +77,36 @@ TEST(Legend, StandsInTheCornerThatIsNamedAndLeavesTheRest) {
   }
 }
 
+TEST(Legend, OfRowsThatAreSeenKeepsToTheRoomOfAll) {
+  const Paper paper{148, 105};
+  for (const Corner corner :
+       {Corner::BottomRight, Corner::BottomLeft, Corner::TopRight, Corner::TopLeft}) {
+    CalloutOptions style;
+    style.legend = corner;
+    for (std::size_t all = 1; all <= 24; ++all) {
+      Annotations over = three_colors();
+      over.legend.resize(all, over.legend.front());
+      const auto room = legend_box(over, style, paper);
+      ASSERT_TRUE(room) << all;
+      const Box2 rest = beside_tables(over, style, paper);
+      for (std::size_t seen = all; seen > 0; --seen) {
+        const Box2 box = legend_box(over, style, paper).value();
+        EXPECT_FALSE(box.overlaps(rest)) << seen << " of " << all;
+        EXPECT_TRUE(room->contains(box.min) && room->contains(box.max)) << seen << " of " << all;
+        Drawing drawing;
+        drawing.paper_width = paper.width, drawing.paper_height = paper.height;
+        lay_tables(drawing, over, style);
+        ASSERT_EQ(drawing.areas.size(), seen);
+        for (const Area& square : drawing.areas) {
+          for (const Vec2& p : square.rings[0]) EXPECT_TRUE(box.contains(p));
+        }
+        over.legend[seen - 1].seen = false;
+      }
+      EXPECT_FALSE(legend_box(over, style, paper)) << "none is seen";
+    }
+  }
+}
+
 TEST(Legend, StandsBesideTheListOfParts) {
   Annotations over = three_colors();
   over.parts_list = true;

@@ -21,6 +21,9 @@ struct LegendRow {
   std::string name;
   /// Part, fill, opacity and ink of the square; without rings.
   Area square{};
+  /// Whether the drawing has the colour. Room is kept for rows that are not seen, too: a drawing is
+  /// placed before that is known.
+  bool seen = true;
 };
 
 /// What is laid over a drawing.

@@ -17,8 +17,8 @@ std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    const IllustrateOptions& options,
                                    std::span<const DrawingItem> items);
 
-/// What `options` lays over a drawing, without rows of the legend whose colour none of the areas
-/// has, in any tone. Where there are no annotations, none.
+/// What `options` lays over a drawing, with the rows of the legend whose colour any of the areas
+/// has, in any tone, told as seen and the others as not. Where there are no annotations, none.
 Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
                            std::span<const Area> areas);
 
