@@ -13,6 +13,7 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <set>

@@ -21,7 +21,8 @@ std::vector<Area> discs() {
   constexpr int kSides = 100;
   std::vector<Area> areas;
   for (int i = 0; i < kAcross * kAcross; ++i) {
-    const Vec2 middle(60 + 30 * (i % kAcross + 0.5), 40 + 21 * (i / kAcross + 0.5));
+    const int column = i % kAcross, row = i / kAcross;
+    const Vec2 middle(60 + 30 * (column + 0.5), 40 + 21 * (row + 0.5));
     std::vector<Vec2> ring;
     for (int k = 0; k < kSides; ++k) {
       const double u = 2 * std::numbers::pi * k / kSides;

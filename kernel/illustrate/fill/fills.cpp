@@ -135,7 +135,7 @@ std::string Fills::color(const Area& area) const {
   for (const std::string& one : colors(part)) {
     Area painted{.part = area.part, .rings = {}};
     set_face_color(one, painted);
-    const std::string base = painted.fill;
+    std::string base = painted.fill;
     paint(painted);
     if (painted.fill == area.fill) return base;
   }
