@@ -30,7 +30,7 @@ class Shades {
   std::vector<Area> squares(std::size_t part) const {
     std::vector<Area> out;
     for (const std::string& color : fills_.colors(part)) {
-      Area square = painted(part, color, -1);
+      Area square = this->square(part, color);
       if (!square.fill.empty()) out.push_back(std::move(square));
     }
     return out;
@@ -39,7 +39,7 @@ class Shades {
   std::set<std::string> of(std::size_t part, const Area& square) const {
     std::set<std::string> out;
     for (const std::string& color : fills_.colors(part)) {
-      if (painted(part, color, -1).fill != square.fill) continue;
+      if (this->square(part, color).fill != square.fill) continue;
       const int steps = std::max(2, part_styles_.style(part).fill.steps);
       for (int tone = -1; tone < steps; ++tone) {
         Area area = painted(part, color, tone);
@@ -53,6 +53,14 @@ class Shades {
   }
 
  private:
+  /// In full light, in which tints of all inks are nearly white: where there are darker ones, the
+  /// square is all of the ink.
+  Area square(std::size_t part, const std::string& color) const {
+    const FillOptions& fill = part_styles_.style(part).fill;
+    Area out = painted(part, color, !fill.ink.empty() && fill.steps > 1 ? 0 : -1);
+    out.tone = -1;
+    return out;
+  }
   Area painted(std::size_t part, const std::string& color, int tone) const {
     Area area{.part = static_cast<std::int32_t>(part), .tone = tone, .rings = {}};
     detail::set_face_color(color, area);

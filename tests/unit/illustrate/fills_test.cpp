@@ -310,6 +310,17 @@ std::vector<std::string> seen_colors(const Scene& scene, const Style& style) {
   return out;
 }
 
+TEST(Fills, TheLegendHasAllOfAnInkWhereThereAreTintsOfIt) {
+  const std::vector<DrawingItem> items = {{1, "plate", {0}, "", ""}};
+  Style style = builtin_style("duotone");
+  const auto square = [&] { return legend_rows(painted_plate(), style, {}, items).at(0).square; };
+  EXPECT_EQ(square().fill, to_text(rgb_of(style.fill.color).value()));
+  EXPECT_EQ(square().tint, 1);
+  EXPECT_EQ(seen_colors(painted_plate(), style).size(), 1u);
+  style.fill.steps = 0;
+  EXPECT_DOUBLE_EQ(square().tint, style.fill.tint) << "the only one";
+}
+
 TEST(Fills, TheLegendHasColoursOfFacesAndThoseThatAreSeenAlone) {
   Scene scene = painted_plate();
   using Strings = std::vector<std::string>;
