@@ -24,12 +24,13 @@ endfunction()
 burin_targets(libraries burin burin_io burin_cad burin_cairo)
 burin_targets(programs burin_cli burin_csg burin_probe)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
+# Beside libburin: what models say to Burin, and the script that runs OpenSCAD of npm's package.
+set(openscad_files ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad
+  ${PROJECT_SOURCE_DIR}/converters/openscad/node/openscad.mjs)
 if(BURIN_OPENSCAD)
   burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
   install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
-  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad
-    ${PROJECT_SOURCE_DIR}/converters/openscad/node/openscad.mjs DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
-    COMPONENT command)
+  install(FILES ${openscad_files} DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad COMPONENT command)
 endif()
 if(BURIN_COMMAND)
   burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
@@ -67,9 +68,7 @@ function(burin_install_bundle folder component)
   if(BURIN_OPENSCAD)
     install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
   endif()
-  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad
-    ${PROJECT_SOURCE_DIR}/converters/openscad/node/openscad.mjs DESTINATION ${folder}/burin/openscad
-    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${openscad_files} DESTINATION ${folder}/burin/openscad COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin/ DESTINATION ${folder}
     COMPONENT ${component} EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endfunction()
