@@ -414,26 +414,8 @@ bool has_unknown_facets(const csg::Tree& tree, const TreePart& part) {
 bool is_flat(const csg::Tree& tree) {
   // The first module that has a dimension of its own says it for all that hold it.
   for (std::uint32_t n = 1; n < tree.nodes.size(); ++n) {
-    switch (tree.nodes[n].module) {
-      case Module::Square:
-      case Module::Circle:
-      case Module::Polygon:
-      case Module::Text:
-      case Module::Offset:
-      case Module::Projection:
-        return true;
-      case Module::Cube:
-      case Module::Sphere:
-      case Module::Cylinder:
-      case Module::Polyhedron:
-      case Module::Surface:
-      case Module::LinearExtrude:
-      case Module::RotateExtrude:
-        if (!mark_at(tree, n)) return false;
-        break;
-      default:
-        break;
-    }
+    if (csg::makes_flat(tree.nodes[n].module)) return true;
+    if (csg::makes_solid(tree.nodes[n].module) && !mark_at(tree, n)) return false;
   }
   return false;
 }

@@ -50,7 +50,7 @@ constexpr const char* kNewer =
 /// Throws what went wrong, where something did.
 class Verdict {
  public:
-  /// `hint`: what to do where a newer OpenSCAD may understand the program.
+  /// `hint`: what to do beside that, in the message of an error.
   Verdict(const Path& path, std::int64_t lines, const Messages& messages, const char* hint)
       : hint_(hint),
         file_(path.string()),
@@ -72,15 +72,12 @@ class Verdict {
                                    end.signal, platform::signal_name(end.signal)),
                        file_);
     }
+    const Remark* error = messages_.first(Severity::Error);
     // That of today makes what comes before, and ends well.
-    if (const Remark* error = messages_.first(Severity::Error); error && ends_program(*error)) {
-      fail(*error, "");
-    }
+    if (error && ends_program(*error)) fail(*error, "");
     if (end.ok() && bytes > 0) return;  // an echo of the model may say what is asked below
     // An error may end the model early and still leave it a 2-D or an empty object.
-    if (const Remark* error = messages_.first(Severity::Error)) {
-      fail(*error, messages_.not_understood() ? hint_ : "");
-    }
+    if (error) fail(*error, hint_);
     if (messages_.two_dimensional()) {
       fail_with_warning(kTwoDimensional);
     }
@@ -219,7 +216,7 @@ ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options,
       out.clear();
       continue;
     }
-    const char* hint = program.newest ? "" : kNewer;
+    const char* hint = unknown && !program.newest ? kNewer : "";
     const Verdict verdict(path, lines, messages, hint);
     verdict.check(end, options.timeout, out.size());
     if (unknown) {

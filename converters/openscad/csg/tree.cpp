@@ -27,6 +27,35 @@ constexpr std::array<std::string_view, 24> kNames = {
 
 std::string_view name_of(Module module) { return kNames[static_cast<std::size_t>(module)]; }
 
+bool makes_solid(Module module) {
+  switch (module) {
+    case Module::Cube:
+    case Module::Sphere:
+    case Module::Cylinder:
+    case Module::Polyhedron:
+    case Module::Surface:
+    case Module::LinearExtrude:
+    case Module::RotateExtrude:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool makes_flat(Module module) {
+  switch (module) {
+    case Module::Square:
+    case Module::Circle:
+    case Module::Polygon:
+    case Module::Text:
+    case Module::Offset:
+    case Module::Projection:
+      return true;
+    default:
+      return false;
+  }
+}
+
 const Value* Node::argument(std::string_view name) const {
   const auto at = std::ranges::find(arguments, name, &Argument::name);
   return at == arguments.end() ? nullptr : &at->value;

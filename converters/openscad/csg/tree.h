@@ -44,6 +44,9 @@ enum class Module : std::uint8_t {
   Multmatrix
 };
 std::string_view name_of(Module module);
+/// Whether a module alone says that it makes a solid, or a flat shape; of files their names do.
+bool makes_solid(Module module);
+bool makes_flat(Module module);
 
 /// What an argument says: nothing, a truth, a number, a text or a list.
 struct Value {

@@ -139,6 +139,20 @@ std::size_t edges_of(const Region& region) {
   return count;
 }
 
+/// Counterclockwise.
+Path turned_left(const Outline& outline) {
+  Path path = path_of(outline);
+  if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
+  return path;
+}
+
+/// What Clipper made, its edges with the circles that they stand for.
+Region tagged(const ClipperLib::PolyTree& tree, const Origins& origins) {
+  Region region = region_of(tree, origins);
+  origins.tag(region);
+  return region;
+}
+
 }  // namespace
 
 Region odd_places(const Region& outlines) {
@@ -146,15 +160,11 @@ Region odd_places(const Region& outlines) {
   origins.add(outlines);
   ClipperLib::Clipper clipper;
   for (const Outline& o : outlines.outlines) {
-    Path path = path_of(o);
-    if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
-    clipper.AddPath(path, ClipperLib::ptSubject, true);
+    clipper.AddPath(turned_left(o), ClipperLib::ptSubject, true);
   }
   ClipperLib::PolyTree tree;
   run(clipper, ClipperLib::ctUnion, tree, ClipperLib::pftEvenOdd);
-  Region region = region_of(tree, origins);
-  origins.tag(region);
-  return region;
+  return tagged(tree, origins);
 }
 
 Region clip(ClipOp op, std::span<const Region> operands) {
@@ -175,18 +185,12 @@ Region clip(ClipOp op, std::span<const Region> operands) {
     }
     run(clipper, clip_type(op), tree, ClipperLib::pftNonZero);
   }
-  Region region = region_of(tree, origins);
-  origins.tag(region);
-  return region;
+  return tagged(tree, origins);
 }
 
 Region covered(std::span<const Outline> triangles, const Origins& origins) {
   Paths paths;
-  for (const Outline& o : triangles) {
-    Path path = path_of(o);
-    if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
-    paths.push_back(std::move(path));
-  }
+  for (const Outline& o : triangles) paths.push_back(turned_left(o));
   ClipperLib::Clipper clipper;
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
   Paths once;
@@ -197,9 +201,7 @@ Region covered(std::span<const Outline> triangles, const Origins& origins) {
   again.AddPaths(once, ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
   run(again, ClipperLib::ctUnion, tree, ClipperLib::pftNonZero);
-  Region region = region_of(tree, origins);
-  origins.tag(region);
-  return region;
+  return tagged(tree, origins);
 }
 
 Region minkowski_sum(const Region& a, const Region& b) {
@@ -223,9 +225,7 @@ Region minkowski_sum(const Region& a, const Region& b) {
   Origins origins;
   add_carried(a, b, origins);
   add_carried(b, a, origins);
-  Region region = region_of(tree, origins);
-  origins.tag(region);
-  return region;
+  return tagged(tree, origins);
 }
 
 }  // namespace burin::csg

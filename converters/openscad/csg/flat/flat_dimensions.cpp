@@ -6,29 +6,11 @@ namespace {
 
 /// None where the children say it.
 Dimension own_dimension(const Node& node) {
-  switch (node.module) {
-    case Module::Cube:
-    case Module::Sphere:
-    case Module::Cylinder:
-    case Module::Polyhedron:
-    case Module::Surface:
-    case Module::LinearExtrude:
-    case Module::RotateExtrude:
-      return Dimension::Solid;
-    case Module::Square:
-    case Module::Circle:
-    case Module::Polygon:
-    case Module::Text:
-    case Module::Offset:
-    case Module::Projection:
-      return Dimension::Flat;
-    case Module::Import: {
-      const std::string suffix = suffix_of(node.text("file"));
-      return suffix == ".dxf" || suffix == ".svg" ? Dimension::Flat : Dimension::Solid;
-    }
-    default:
-      return Dimension::None;
-  }
+  if (makes_solid(node.module)) return Dimension::Solid;
+  if (makes_flat(node.module)) return Dimension::Flat;
+  if (node.module != Module::Import) return Dimension::None;
+  const std::string suffix = suffix_of(node.text("file"));
+  return suffix == ".dxf" || suffix == ".svg" ? Dimension::Flat : Dimension::Solid;
 }
 
 }  // namespace
