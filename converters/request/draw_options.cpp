@@ -103,13 +103,13 @@ constexpr const char* kHighlight = "orange";
 // has that one for them then. Another colour is an ink of its own, but for greys: those are black.
 std::string highlighted(const FillOptions& fill, const std::string& called) {
   const std::string color = without_name(called);
-  const bool inked = !fill.ink.empty();
+  const bool has_ink = !fill.ink.empty();
   if (called.empty()) {
     return fmt::format(R"({{"fill.color": "{}"}})",
-                       inked && rgb_of(fill.color) ? fill.color : without_name(kHighlight));
+                       has_ink && rgb_of(fill.color) ? fill.color : without_name(kHighlight));
   }
   const Rgb rgb = rgb_of(color).value_or(Rgb{});
-  const std::string ink = inked && !is_grey(rgb) ? "Highlight " + called : "";
+  const std::string ink = has_ink && !is_grey(rgb) ? "Highlight " + called : "";
   return fmt::format(R"({{"fill.color": "{}", "fill.ink": "{}"}})", color, ink);
 }
 

@@ -189,4 +189,9 @@ std::vector<const Area*> painted_areas(const Drawing& drawing) {
   return areas;
 }
 
+void add_ink(const std::string& name, const std::string& color, Drawing& drawing) {
+  const auto known = std::ranges::find(drawing.inks, name, &SpotInk::name);
+  if (!name.empty() && known == drawing.inks.end()) drawing.inks.push_back({name, color});
+}
+
 }  // namespace burin

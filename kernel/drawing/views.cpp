@@ -1,3 +1,4 @@
+#include <burin/drawing/ink.h>
 #include <burin/drawing/views.h>
 
 #include <algorithm>
@@ -54,10 +55,7 @@ void add(DrawingStats& to, const DrawingStats& from) {
 void append_view(Drawing& sheet, Drawing&& view) {
   merge_layers(sheet.layers, view.layers);
   move_all(view.areas, sheet.areas);
-  for (const SpotInk& ink : view.inks) {
-    const auto known = std::ranges::find(sheet.inks, ink.name, &SpotInk::name);
-    if (known == sheet.inks.end()) sheet.inks.push_back(ink);
-  }
+  for (const SpotInk& ink : view.inks) add_ink(ink.name, ink.color, sheet);
   add(sheet.stats, view.stats);
   append_new(view.diagnostics, sheet.diagnostics);
 }

@@ -1,6 +1,7 @@
 #include "fills.h"
 
 #include <burin/assembly/items.h>
+#include <burin/drawing/ink.h>
 
 #include <fmt/format.h>
 
@@ -202,11 +203,6 @@ bool paints(const PartStyles& part_styles) {
     if (part_styles.drawn(i) && fill.color != "none" && fill.opacity > 0) return true;
   }
   return false;
-}
-
-void add_ink(const std::string& name, const std::string& color, Drawing& drawing) {
-  const auto known = std::ranges::find(drawing.inks, name, &SpotInk::name);
-  if (!name.empty() && known == drawing.inks.end()) drawing.inks.push_back({name, color});
 }
 
 void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing) {

@@ -57,9 +57,6 @@ bool nests(const FillOptions& fill);
 /// Whether any part that is drawn has a flat colour.
 bool paints(const PartStyles& part_styles);
 
-/// Adds a spot ink that a drawing is printed in, but for one that it has; of no name: nothing.
-void add_ink(const std::string& name, const std::string& color, Drawing& drawing);
-
 /// Gives the areas of a drawing their colours and inks, and brings them into the order of painting:
 /// what can be looked through over what is behind it. Tells of an ink that has several colours, or
 /// stands for faces that have colours of their own.

@@ -1,6 +1,7 @@
 #include "hatch_areas.h"
 
 #include <burin/drawing/hatch_rings.h>
+#include <burin/drawing/ink.h>
 
 #include "fills.h"
 
@@ -98,7 +99,7 @@ class Hatcher {
 };
 
 /// Whether lines are printed in the spot ink of their part.
-bool are_inked(const Style& style) {
+bool are_in_spot_ink(const Style& style) {
   return style.fill.hatch.color == "fill" && !style.fill.ink.empty();
 }
 
@@ -106,7 +107,7 @@ bool are_inked(const Style& style) {
 std::string line_color(const Style& style, const std::string& fill, const std::string& ink) {
   const std::string& own = style.fill.hatch.color;
   const std::string& color = own == "fill" ? fill : own.empty() ? style.line.color : own;
-  if (are_inked(style)) return color;
+  if (are_in_spot_ink(style)) return color;
   return color == ink ? std::string() : color;
 }
 
@@ -148,11 +149,12 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     for (const auto& [color, group] : groups) {
       context.check();
       // An ink shows no colours of faces.
-      const std::string& filled = are_inked(style) ? own : color;
+      const std::string& filled = are_in_spot_ink(style) ? own : color;
       Hatcher(style, line_color(style, filled, drawing.ink_color), color == own ? over : Rings())
           .add(group, layer);
     }
-    if (layer.paths.size() > before && are_inked(style)) add_ink(style.fill.ink, own, drawing);
+    if (layer.paths.size() > before && are_in_spot_ink(style))
+      add_ink(style.fill.ink, own, drawing);
   }
   if (layer.paths.empty()) return;
   const auto known = std::ranges::find(drawing.layers, layer.name, &Layer::name);

@@ -94,4 +94,7 @@ double mean_width(const Path& path);
 /// Whether the widths differ so much that the eye or a measurement could tell (more than 0.01 mm).
 bool has_varying_width(const Path& path);
 
+/// Adds a spot ink that a drawing is printed in, but for one that it has; of no name: nothing.
+void add_ink(const std::string& name, const std::string& color, Drawing& drawing);
+
 }  // namespace burin
