@@ -1,6 +1,8 @@
 #include "trim_loops.h"
 
 #include <burin/base/error.h>
+#include <burin/base/even_odd.h>
+#include <burin/base/nearest_along.h>
 
 #include "closed_loop.h"
 
@@ -21,10 +23,7 @@ constexpr std::size_t kMostEdges = 5000;
 bool within(const std::vector<Vec2>& polygon, Vec2 p) {
   bool odd = false;
   for (std::size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[k];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) {
-      odd = !odd;
-    }
+    if (crosses_ray(polygon[i], polygon[k], p)) odd = !odd;
   }
   return odd;
 }
@@ -33,9 +32,7 @@ double distance_to(const std::vector<Vec2>& polygon, Vec2 p) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
     const Vec2 d = polygon[i] - polygon[k];
-    const double length = glm::dot(d, d);
-    const double t = length > 0 ? std::clamp(glm::dot(p - polygon[k], d) / length, 0.0, 1.0) : 0.0;
-    best = std::min(best, glm::distance(p, polygon[k] + t * d));
+    best = std::min(best, glm::distance(p, polygon[k] + nearest_along(polygon[k], d, p) * d));
   }
   return best;
 }

@@ -2,12 +2,11 @@
 
 #include <burin/area/largest_disc.h>
 #include <burin/base/box.h>
-#include <burin/base/even_odd.h>
-#include <burin/base/nearest_along.h>
 #include <burin/drawing/length.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -28,6 +27,12 @@ Box2 box_of(const BorderSide& side) {
   return box;
 }
 
+double nearest(std::span<const BorderSide> sides, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BorderSide& side : sides) least = std::min(least, distance_to(side, p));
+  return least;
+}
+
 /// What is seen of a part.
 struct Seen {
   std::vector<BorderSide> border;
@@ -45,21 +50,8 @@ struct Seen {
   }
 
   /// Whether a point is on it or beside it.
-  bool shows(Vec2 p) const { return holds(p) || distance(border, p) < kBesidePart; }
-  bool holds(Vec2 p) const {
-    bool inside = false;
-    for (const auto& [a, b] : border) {
-      if (crosses_ray(a, b, p)) inside = !inside;
-    }
-    return inside;
-  }
-  static double distance(std::span<const BorderSide> sides, Vec2 p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b] : sides) {
-      least = std::min(least, glm::distance(p, a + nearest_along(a, b - a, p) * (b - a)));
-    }
-    return least;
-  }
+  bool shows(Vec2 p) const { return holds(p) || nearest(border, p) < kBesidePart; }
+  bool holds(Vec2 p) const { return encloses(border, p); }
 };
 
 /// By part.
@@ -133,18 +125,22 @@ std::vector<BorderSide> lines_of(const Drawing& drawing) {
   return sides;
 }
 
-/// Clear of lines where there is room for a dot, else as far from other parts as can be.
+/// The lines that may run over what is seen of a part.
+std::vector<BorderSide> across(const Seen& seen, const std::vector<BorderSide>& lines) {
+  std::vector<BorderSide> out;
+  std::ranges::copy_if(lines, std::back_inserter(out),
+                       [&](const BorderSide& side) { return box_of(side).overlaps(seen.box); });
+  return out;
+}
+
+/// Clear of lines where a dot fits, else as far from other parts as can be.
 InnerDisc disc_of(const Seen& seen, const std::vector<BorderSide>& lines) {
-  std::vector<BorderSide> across;
-  for (const BorderSide& side : lines) {
-    if (box_of(side).overlaps(seen.box)) across.push_back(side);
-  }
-  const InnerDisc disc = largest_disc(seen.border, across);
+  const InnerDisc disc = largest_disc(seen.border, across(seen, lines));
   return disc.radius > kLeastDisc ? disc : largest_disc(seen.border);
 }
 
 /// A dot on what is seen through its part would name that: it goes to where the part alone is seen,
-/// if there is room for one.
+/// if it fits there.
 void leave_what_is_behind(const SeenParts& parts, const std::vector<BorderSide>& lines,
                           Anchor& anchor) {
   constexpr double kMostPlaces = 40;  // each way
@@ -157,10 +153,8 @@ void leave_what_is_behind(const SeenParts& parts, const std::vector<BorderSide>&
     return std::ranges::any_of(behind, [&](const Seen* other) { return other->holds(p); });
   };
   if (!anchor.dot || !is_through(anchor.at)) return;
-  std::vector<BorderSide> sides = own.border;
-  for (const BorderSide& side : lines) {
-    if (box_of(side).overlaps(own.box)) sides.push_back(side);
-  }
+  std::vector<BorderSide> sides = across(own, lines);
+  sides.insert(sides.end(), own.border.begin(), own.border.end());
   const Vec2 size = own.box.size();
   const double step = std::max(kLeastDisc, std::max(size.x, size.y) / kMostPlaces);
   double widest = kLeastDisc;
@@ -168,16 +162,16 @@ void leave_what_is_behind(const SeenParts& parts, const std::vector<BorderSide>&
     for (double x = own.box.min.x + 0.5 * step; x < own.box.max.x; x += step) {
       const Vec2 p(x, y);
       if (!own.holds(p) || is_through(p)) continue;
-      const double room = Seen::distance(sides, p);
-      if (room <= widest) continue;
-      widest = room;
+      const double radius = nearest(sides, p);
+      if (radius <= widest) continue;
+      widest = radius;
       anchor.at = p;
     }
   }
 }
 
 /// What is seen through a part has its place where that part has its own: of two dots on one place
-/// the one with more room goes elsewhere, where it has room for a dot away from all others.
+/// the one of the wider part goes elsewhere, where it fits away from all others.
 void part_dots(const SeenParts& parts, std::vector<BorderSide> lines,
                std::vector<Anchor>& anchors) {
   constexpr double kOnOnePlace = 3 * kLeastDisc, kPoint = 1e-3;  // paper mm
@@ -186,10 +180,10 @@ void part_dots(const SeenParts& parts, std::vector<BorderSide> lines,
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     for (std::size_t k = i + 1; k < anchors.size(); ++k) {
       if (glm::distance(anchors[i].at, anchors[k].at) >= kOnOnePlace) continue;
-      const auto room = [&](std::size_t one) {
+      const auto width = [&](std::size_t one) {
         return largest_disc(parts.at(anchors[one].part).border).radius;
       };
-      const std::size_t wider = room(i) > room(k) ? i : k;
+      const std::size_t wider = width(i) > width(k) ? i : k;
       if (!anchors[wider].dot || std::exchange(moved[wider], 1) != 0) continue;
       lines.resize(of_drawing);
       for (std::size_t other = 0; other < anchors.size(); ++other) {

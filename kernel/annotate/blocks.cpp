@@ -34,8 +34,7 @@ Box2 rest_of(const Box2& box, bool beside, const Box2& frame) {
 }
 
 bool holds(const Box2& outer, const Box2& inner) {
-  return glm::all(glm::lessThanEqual(outer.min, inner.min)) &&
-         glm::all(glm::greaterThanEqual(outer.max, inner.max));
+  return outer.contains(inner.min) && outer.contains(inner.max);
 }
 
 Vec2 size_of(const BlockPlan& plan, const BlockSizes& sizes) {

@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t kMostSquares = 20'000;
 
-double distance_to(const BorderSide& side, Vec2 p) {
-  const auto& [a, b] = side;
-  return glm::distance(p, a + nearest_along(a, b - a, p) * (b - a));
-}
-
 class Search {
  public:
   Search(std::span<const BorderSide> border, std::span<const BorderSide> across,
@@ -72,14 +67,6 @@ class Search {
     return i < border_.size() ? border_[i] : across_[i - border_.size()];
   }
 
-  bool in_area(Vec2 p) const {
-    bool inside = false;
-    for (const auto& [a, b] : border_) {
-      if (crosses_ray(a, b, p)) inside = !inside;
-    }
-    return inside;
-  }
-
   void divide(const Square& square) {
     const double half = 0.5 * square.half;
     for (const double dy : {-half, half}) {
@@ -104,7 +91,7 @@ class Search {
     square.most = nearest + reach;
     if (square.most < least_wanted()) return;
     if (!square.inside && (nearest > reach || nearest > best_.radius)) {
-      const bool inside = in_area(square.middle);
+      const bool inside = encloses(border_, square.middle);
       if (!inside && nearest > reach) return;
       square.inside = inside && nearest > reach;
       if (!inside) square.most = reach - nearest;
@@ -131,6 +118,19 @@ class Search {
 };
 
 }  // namespace
+
+bool encloses(std::span<const BorderSide> border, Vec2 p) {
+  bool inside = false;
+  for (const auto& [a, b] : border) {
+    if (crosses_ray(a, b, p)) inside = !inside;
+  }
+  return inside;
+}
+
+double distance_to(const BorderSide& side, Vec2 p) {
+  const auto& [a, b] = side;
+  return glm::distance(p, a + nearest_along(a, b - a, p) * (b - a));
+}
 
 InnerDisc largest_disc(std::span<const BorderSide> border, std::span<const BorderSide> across,
                        const DiscOptions& options) {

@@ -1,3 +1,4 @@
+#include <burin/base/even_odd.h>
 #include <burin/verify/areas_at.h>
 
 #include <algorithm>
@@ -46,10 +47,7 @@ std::vector<std::size_t> AreasAt::at(Vec2 p) const {
   const std::vector<Side>& sides = row->second;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Side& s = sides[i];
-    const bool across = (s.a.y > p.y) != (s.b.y > p.y);
-    if (across && s.a.x + (s.b.x - s.a.x) * (p.y - s.a.y) / (s.b.y - s.a.y) > p.x) {
-      inside = !inside;
-    }
+    if (crosses_ray(s.a, s.b, p)) inside = !inside;
     if (i + 1 < sides.size() && sides[i + 1].area == s.area) continue;
     if (inside) out.push_back(s.area);
     inside = false;

@@ -167,8 +167,7 @@ class SheetPlanner {
       const Vec2 at = main.camera.to_paper(detail.at);
       const double radius = detail.radius * main.camera.scale_at(detail.at);
       const Box2 &box = main.box, circle{at - radius, at + radius};
-      return glm::all(glm::greaterThanEqual(circle.min, box.min)) &&
-             glm::all(glm::lessThanEqual(circle.max, box.max));
+      return box.contains(circle.min) && box.contains(circle.max);
     });
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,15 +40,20 @@ Drawing hatched_square(double degrees) {
   return drawing;
 }
 
-double leader_angle(double hatched_at) {
-  RunContext context;
-  Drawing drawing = hatched_square(hatched_at);
-  const Area seen{.part = 0, .rings = {drawing.layers[1].paths[0].points}};
+/// Gives items their callouts.
+void number(Drawing& drawing, std::span<const Area> seen, std::vector<DrawingItem> items) {
   Annotations over;
-  over.items = {{1, "plate", {0}, "", ""}};
+  over.items = std::move(items);
   over.callouts = true;
   over.margin = Margin(10);
-  annotate(drawing, {&seen, 1}, over, {}, context);
+  RunContext context;
+  annotate(drawing, seen, over, {}, context);
+}
+
+double leader_angle(double hatched_at) {
+  Drawing drawing = hatched_square(hatched_at);
+  const Area seen{.part = 0, .rings = {drawing.layers[1].paths[0].points}};
+  number(drawing, {&seen, 1}, {{1, "plate", {0}, "", ""}});
   for (const Path& path : drawing.layers.back().paths) {
     if (path.kind != LineClass::Leader || path.points.size() != 2) continue;
     const Vec2 way = path.points[1] - path.points[0];
@@ -95,12 +101,8 @@ TEST(Annotate, LeadersBeginInTheLargestDiscWithoutALineAndAtTheLineOfWhatIsNarro
   Drawing drawing;
   drawing.layers = {
       {"crease", {line(0, {{120, 60}, {120, 100}}), line(1, {{110, 121}, {150, 121}})}}};
-  Annotations over;
-  over.items = {{1, "plate", {0}, "", ""}, {2, "bar", {1}, "", ""}, {3, "pin", {2}, "", ""}};
-  over.callouts = true;
-  over.margin = Margin(10);
-  RunContext context;
-  annotate(drawing, seen, over, {}, context);
+  number(drawing, seen,
+         {{1, "plate", {0}, "", ""}, {2, "bar", {1}, "", ""}, {3, "pin", {2}, "", ""}});
   const auto at = begins(drawing);
   ASSERT_EQ(at.size(), 2U);
   EXPECT_TRUE(at[0].second);
@@ -120,12 +122,7 @@ TEST(Annotate, GlassHasItsDotWhereItAloneIsSeen) {
     Drawing drawing;
     drawing.layers = {{"outline", {line(1, seen[0].rings[0]), line(0, seen[1].rings[0])}}};
     for (Path& path : drawing.layers[0].paths) path.closed = true;
-    Annotations over;
-    over.items = {{1, "plate", {0}, "", ""}, {2, "pane", {1}, "", ""}};
-    over.callouts = true;
-    over.margin = Margin(10);
-    RunContext context;
-    annotate(drawing, seen, over, {}, context);
+    number(drawing, seen, {{1, "plate", {0}, "", ""}, {2, "pane", {1}, "", ""}});
     const auto at = begins(drawing);
     ASSERT_EQ(at.size(), 2U);
     EXPECT_GT(glm::distance(at[0].first, at[1].first), 2);
@@ -145,12 +142,7 @@ TEST(Annotate, OfPartsThatAreSeenAlikeTheFirstOfTheOutermostCounts) {
   Drawing drawing;
   drawing.layers = {{"outline", {}}};
   for (const Area& area : seen) drawing.layers[0].paths.push_back(line(area.part, area.rings[0]));
-  Annotations over;
-  over.items = {{1, "post", {0, 1, 2}, "", ""}};
-  over.callouts = true;
-  over.margin = Margin(10);
-  RunContext context;
-  annotate(drawing, seen, over, {}, context);
+  number(drawing, seen, {{1, "post", {0, 1, 2}, "", ""}});
   const auto at = begins(drawing);
   ASSERT_EQ(at.size(), 1U);
   EXPECT_LT(at[0].first.x, 80);

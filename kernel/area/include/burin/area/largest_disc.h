@@ -12,6 +12,11 @@ namespace burin {
 /// A straight piece of a border or a line, by its ends; paper mm.
 using BorderSide = std::array<Vec2, 2>;
 
+/// Whether `border` encloses a point by even-odd, its sides in any order.
+bool encloses(std::span<const BorderSide> border, Vec2 p);
+
+double distance_to(const BorderSide& side, Vec2 p);
+
 /// Paper mm.
 struct InnerDisc {
   Vec2 middle{0};
