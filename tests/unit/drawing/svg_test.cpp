@@ -439,7 +439,8 @@ TEST(Svg, FacesOfTheirOwnColourHaveAClassOfTheirOwn) {
     drawing.areas.push_back(area);
   }
   const std::string text = svg_text(drawing);
-  const auto paths = parsed(text).select_nodes("//path");
+  const pugi::xml_document doc = parsed(text);
+  const auto paths = doc.select_nodes("//path");
   ASSERT_EQ(paths.size(), 3u);
   const std::string first = attribute(paths[0].node(), "class"),
                     second = attribute(paths[1].node(), "class");
