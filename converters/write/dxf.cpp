@@ -10,6 +10,7 @@
 
 #include "dxf_frame.h"
 #include "dxf_groups.h"
+#include "dxf_options.h"
 #include "own_formats.h"
 
 #include <algorithm>
@@ -25,6 +26,11 @@ namespace {
 
 using dxf::Fixed;
 using dxf::Groups;
+
+struct Chosen {
+  DxfOptions dxf;
+  SvgOptions svg;
+};
 
 /// The line weights that DXF knows, in 1/100 mm; all widths of ISO 128 are among them.
 constexpr std::array kWeights{0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
@@ -178,7 +184,7 @@ void append_spline(Groups& out, const Item& item, const std::vector<CubicBezier>
   }
 }
 
-void append_line(Groups& out, const Item& item, const WriteOptions& options, std::uint64_t handle) {
+void append_line(Groups& out, const Item& item, const Chosen& options, std::uint64_t handle) {
   const Path& path = *item.path;
   const double tolerance = options.svg.fit_tolerance;
   const bool true_width = has_true_width(path);
@@ -209,7 +215,7 @@ void append_line(Groups& out, const Item& item, const WriteOptions& options, std
 }
 
 /// The arcs in a path, and what is between them; nothing where there are none.
-std::vector<CurvePiece> pieces_of(const Path& path, const WriteOptions& options) {
+std::vector<CurvePiece> pieces_of(const Path& path, const Chosen& options) {
   if (!options.dxf.arcs || has_true_width(path) || is_dot(path) || path.points.size() < 4)
     return {};
   const double tolerance = options.svg.fit_tolerance;
@@ -229,12 +235,12 @@ std::vector<CurvePiece> pieces_of(const Path& path, const WriteOptions& options)
 }
 
 /// Whether a ring is one circle or ellipse. B-reps have them in halves.
-bool is_whole_arc(const Path& ring, const WriteOptions& options) {
+bool is_whole_arc(const Path& ring, const Chosen& options) {
   const std::vector<CurvePiece> pieces = pieces_of(ring, options);
   return pieces.size() == 1 && pieces[0].arc && pieces[0].arc->is_whole();
 }
 
-void append_path(Groups& out, const Item& item, const WriteOptions& options) {
+void append_path(Groups& out, const Item& item, const Chosen& options) {
   if (item.pieces.empty()) return append_line(out, item, options, item.handle);
   std::uint64_t handle = item.handle;
   for (const CurvePiece& piece : item.pieces) {
@@ -356,8 +362,9 @@ void write(const Buffer& text, std::ostream& out) {
 
 }  // namespace
 
-void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+void write_dxf(const Drawing& drawing, const WriteOptions& given, std::ostream& out,
                const RunContext& context) {
+  const Chosen options{values_in<DxfOptions>(given.formats), given.svg};
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::vector<dxf::LayerRow> rows;
   rows.reserve(layers.size() + 1);  // items point to them
@@ -419,6 +426,9 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   write(text, out);
 }
 
-Format detail::dxf_format() { return {"dxf", {"dxf."}, write_dxf}; }
+namespace detail {
 
+Format dxf_format() { return {"dxf", {"dxf."}, write_dxf}; }
+
+}  // namespace detail
 }  // namespace burin

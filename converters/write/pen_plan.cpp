@@ -159,9 +159,9 @@ std::vector<PenLayer> by_color(std::vector<InkLayer> layers) {
 
 class Planner {
  public:
-  Planner(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+  Planner(const Drawing& drawing, const PenOptions& pens, std::string_view format,
           const WriteOptions& options, const RunContext& context)
-      : pens_(pens), group_(group), options_(options), context_(context) {
+      : pens_(pens), format_(format), options_(options), context_(context) {
     sheet_.add(Vec2(0));
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
     layers_ = by_color(ink_layers(drawing));
@@ -220,8 +220,8 @@ class Planner {
     for (const auto& [number, of_pen] : colors) {
       if (of_pen.size() < 2) continue;
       report(Severity::Info, "pen.colors", of_pen.size(),
-             fmt::format("pen {} draws lines of {} colours in one; {}pens=auto gives each its own",
-                         number, of_pen.size(), group_));
+             fmt::format("pen {} draws lines of {} colours in one; {}.pens=auto gives each its own",
+                         number, of_pen.size(), format_));
     }
     for (auto& [number, pen] : pens) plan_.pens.push_back(std::move(pen));
   }
@@ -261,13 +261,13 @@ class Planner {
     if (!unnamed.empty()) {
       report(
           Severity::Warning, "pen.unnamed", unnamed.size(),
-          fmt::format("{}pens names no pen for {}: pen 1 draws it; add *=1, or *=0 to leave it out",
-                      group_, fmt::join(unnamed, ", ")));
+          fmt::format("{}.pens names no pen for {}: pen 1 draws it; add *=1, or *=0 to leave it out",
+                      format_, fmt::join(unnamed, ", ")));
     }
     if (!left_out.empty()) {
       report(
           Severity::Info, "pen.left_out", left_out.size(),
-          fmt::format("{} is left out: {}pens gives it pen 0", fmt::join(left_out, ", "), group_));
+          fmt::format("{} is left out: {}.pens gives it pen 0", fmt::join(left_out, ", "), format_));
     }
   }
 
@@ -390,7 +390,7 @@ class Planner {
   }
 
   const PenOptions& pens_;
-  std::string group_;
+  std::string format_;
   const WriteOptions& options_;
   const RunContext& context_;
   Box2 sheet_;
@@ -424,10 +424,10 @@ std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, boo
   return pieces;
 }
 
-PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view format,
                   const WriteOptions& options, const RunContext& context) {
-  check_texts(pens, std::string(group));
-  return Planner(drawing, pens, group, options, context).run();
+  check_pens(format, pens);
+  return Planner(drawing, pens, format, options, context).run();
 }
 
 }  // namespace burin

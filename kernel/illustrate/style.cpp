@@ -237,7 +237,7 @@ Style plotter() {
   s.hatch.tone_min = 0.08;
   s.hatch.cross_from = 0.4;
   s.hatch.taper = 0;
-  s.svg.flatten = true;
+  put(s.formats, SvgOptions{.flatten = true});
   return s;
 }
 
@@ -580,8 +580,9 @@ void check_style(const Style& style) {
   if (style.fill.hatch.color != "fill") {
     check_color("fill.hatch_color", style.fill.hatch.color, ", fill or nothing");
   }
-  check_texts(style.hpgl, "hpgl.");
-  check_texts(style.gcode, "gcode.");
+  for (const FormatOptions& format : format_options()) {
+    if (format.check) format.check(style.formats);
+  }
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
     check_color(detail::kind_group(number) + "color", hatch_of(style, number).color);
     check_texts(hatch_of(style, number), detail::kind_group(number));
