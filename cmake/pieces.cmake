@@ -23,9 +23,13 @@ burin_choice(BURIN_PARALLEL "What loops over many cores run on" tbb serial)
 burin_choice(BURIN_OCCLUDER "What finds the triangles that a ray may meet" embree)
 
 # burin_formats(NAME MEANING FORMAT...): a list of formats, all of them unless the user says which; in the order of ours,
-# which is that in which they are asked.
+# which is that in which they are asked. NAME_KNOWN has all.
 function(burin_formats name meaning)
-  set(${name} "${ARGN}" CACHE STRING "${meaning}")
+  set(${name} all CACHE STRING "${meaning}")
+  if(${name} STREQUAL all)
+    set(${name} "${ARGN}")
+  endif()
+  set(${name}_KNOWN "${ARGN}" PARENT_SCOPE)
   foreach(format IN LISTS ${name})
     if(NOT format IN_LIST ARGN)
       list(JOIN ARGN ", " known)
@@ -71,8 +75,6 @@ foreach(piece BURIN_CAD BURIN_OPENSCAD BURIN_PLUGINS BURIN_PICTURES BURIN_COMMAN
     set(BURIN_WHOLE OFF)
   endif()
 endforeach()
-list(LENGTH BURIN_READERS readers)
-list(LENGTH BURIN_WRITERS writers)
-if(readers LESS 8 OR writers LESS 9)
+if(NOT BURIN_READERS STREQUAL BURIN_READERS_KNOWN OR NOT BURIN_WRITERS STREQUAL BURIN_WRITERS_KNOWN)
   set(BURIN_WHOLE OFF)
 endif()

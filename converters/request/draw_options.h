@@ -25,7 +25,10 @@ inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,
 inline constexpr const char* kParts = "Parts";
 
 const std::vector<RequestRow<Draft>>& draw_rows();
-/// Of them, those about sections, about the view and about the sheet.
+/// Of them, those about the look, of all and of parts, about sections, about the view and about the
+/// sheet.
+std::vector<RequestRow<Draft>> look_option_rows();
+std::vector<RequestRow<Draft>> part_option_rows();
 std::vector<RequestRow<Draft>> section_rows();
 std::vector<RequestRow<Draft>> view_rows();
 std::vector<RequestRow<Draft>> sheet_rows();

@@ -7,15 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace burin::detail {
 
 std::string needed_to_write(std::string_view format) {
-  constexpr std::array<std::string_view, 9> kKnown{"svg",  "pdf",   "eps",  "png", "dxf",
-                                                   "hpgl", "gcode", "json", "html"};
   std::string name = lowered(format);
-  if (is_own_format(name) || std::ranges::find(kKnown, name) == kKnown.end()) return {};
+  const std::span<const std::string_view> known = known_formats();
+  if (is_own_format(name) || std::ranges::find(known, name) == known.end()) return {};
   const bool by_cairo = name == "pdf" || name == "png";
   const std::string piece =
       by_cairo ? std::string(kWithPictures) : fmt::format("the writer {} (BURIN_WRITERS)", name);

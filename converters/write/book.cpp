@@ -146,6 +146,7 @@ nlohmann::ordered_json added_json(const NewPart& part) {
 
 void write_data(const Book& book, const std::string& name, const WriteOptions& options,
                 const RunContext& context, Files& files) {
+  const auto json = values_in<JsonOptions>(options.formats);
   files.write(name, [&](std::ostream& out) {
     out << "{\"format\": \"burin-steps\", \"version\": 1, \"title\": " << text_of(title_of(book))
         << ",\n\"items\": ";
@@ -164,7 +165,7 @@ void write_data(const Book& book, const std::string& name, const WriteOptions& o
       for (const NewPart& part : book.pages[i].added) added.push_back(added_json(part));
       out << (i == 0 ? "\n" : ",\n") << "{\"heading\": " << text_of(heading_of(book, i))
           << ", \"added\": " << text_of(added) << ", \"drawing\": ";
-      write_json(book.pages[i].drawing, options.json, out, context);
+      write_json(book.pages[i].drawing, json, out, context);
       out << "}";
       context.check();
     }

@@ -2,6 +2,7 @@
 
 #include "cairo_loader.h"
 #include "own_formats.h"
+#include "png_options.h"
 #include "sheet.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ void check_pdf(double width, double height, const WriteOptions& /*options*/) {
 }
 
 void check_png(double width, double height, const WriteOptions& options) {
-  const double side = std::max(width, height), dpi = options.png.dpi;
+  const double side = std::max(width, height), dpi = values_in<PngOptions>(options.formats).dpi;
   if (side * dpi / kMmPerInch <= kMostPixels) return;
   throw UsageError(
       fmt::format("a picture of {:.0f} x {:.0f} pixels is too large, {} a side are the most; set "

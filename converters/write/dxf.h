@@ -12,7 +12,7 @@ namespace burin {
 /// other curves LWPOLYLINE, or SPLINE where asked for; strokes whose
 /// width varies are LWPOLYLINE with a width at each vertex. Each carries XDATA of the application
 /// BURIN: kind, part, face, edge. Units are millimetres.
-void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+void write_dxf(const Drawing& drawing, const WriteOptions& given, std::ostream& out,
                const RunContext& context);
 
 }  // namespace burin

@@ -144,6 +144,9 @@ void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream
       out, context);
 }
 
-Format detail::eps_format() { return {"eps", {}, write_eps}; }
+namespace detail {
 
+Format eps_format() { return {"eps", {}, write_eps}; }
+
+}  // namespace detail
 }  // namespace burin

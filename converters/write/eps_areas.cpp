@@ -1,8 +1,8 @@
 #include "eps_areas.h"
 
 #include <burin/base/box.h>
+#include <burin/drawing/areas_at.h>
 #include <burin/drawing/ink.h>
-#include <burin/verify/areas_at.h>
 
 #include "eps_pen.h"
 

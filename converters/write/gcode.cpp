@@ -3,6 +3,7 @@
 #include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
+#include "gcode_options.h"
 #include "own_formats.h"
 #include "pen_plan.h"
 
@@ -199,9 +200,10 @@ void flush(Buffer& text, std::ostream& out) {
 
 void write_gcode(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                  const RunContext& context) {
-  check_texts(options.gcode, "gcode.");
-  const PenPlan plan = plan_pens(drawing, options.gcode, "gcode.", options, context);
-  Writer writer(drawing, options.gcode, plan);
+  const auto gcode = values_in<GcodeOptions>(options.formats);
+  GcodeOptions::check(gcode);
+  const PenPlan plan = plan_pens(drawing, gcode, GcodeOptions::kRow, options, context);
+  Writer writer(drawing, gcode, plan);
   Buffer text;
   writer.head(text);
   for (std::size_t i = 0; i < plan.order.lines.size(); ++i) {
@@ -213,6 +215,9 @@ void write_gcode(const Drawing& drawing, const WriteOptions& options, std::ostre
   flush(text, out);
 }
 
-Format detail::gcode_format() { return {"gcode", {"gcode."}, write_gcode}; }
+namespace detail {
 
+Format gcode_format() { return {"gcode", {"gcode."}, write_gcode}; }
+
+}  // namespace detail
 }  // namespace burin

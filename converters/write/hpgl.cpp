@@ -2,6 +2,7 @@
 
 #include <burin/drawing/text.h>
 
+#include "hpgl_options.h"
 #include "own_formats.h"
 #include "pen_plan.h"
 
@@ -152,7 +153,8 @@ class Pencil {
 
 void write_hpgl(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                 const RunContext& context) {
-  const PenPlan plan = plan_pens(drawing, options.hpgl, "hpgl.", options, context);
+  const auto hpgl = values_in<HpglOptions>(options.formats);
+  const PenPlan plan = plan_pens(drawing, hpgl, HpglOptions::kRow, options, context);
   Buffer text;
   Pencil pen(text);
   append(text, "IN;\n");
@@ -163,15 +165,15 @@ void write_hpgl(const Drawing& drawing, const WriteOptions& options, std::ostrea
     if (i == 0 || line.group != plan.order.lines[i - 1].group) {
       fmt::format_to(fmt::appender(text), "{}SP{};\n", i == 0 ? "" : "PU;\n",
                      plan.pens[line.group].number);
-      if (options.hpgl.speed > 0) {
+      if (hpgl.speed > 0) {
         append(text, "VS");
-        append_fixed(text, options.hpgl.speed, 1);
+        append_fixed(text, hpgl.speed, 1);
         append(text, ";\n");
       }
     }
-    const std::vector<CurvePiece> pieces = pen_pieces(line, plan, options.hpgl.arcs);
+    const std::vector<CurvePiece> pieces = pen_pieces(line, plan, hpgl.arcs);
     const Vec2 first = pieces.front().start();
-    if (!plan.goes_on(i, before, first, options.hpgl.join)) {
+    if (!plan.goes_on(i, before, first, hpgl.join)) {
       pen.lift(first);
     } else {
       pen.go(first);
@@ -185,6 +187,9 @@ void write_hpgl(const Drawing& drawing, const WriteOptions& options, std::ostrea
   flush(text, out);
 }
 
-Format detail::hpgl_format() { return {"hpgl", {"hpgl."}, write_hpgl}; }
+namespace detail {
 
+Format hpgl_format() { return {"hpgl", {"hpgl."}, write_hpgl}; }
+
+}  // namespace detail
 }  // namespace burin

@@ -45,6 +45,9 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
       << html::inline_svg(shown, svg, context) << html::list_and_tail(shown.items, options.html);
 }
 
-Format detail::html_format() { return {"html", {}, write_html, {}, true}; }
+namespace detail {
 
+Format html_format() { return {"html", {}, write_html, {}, true}; }
+
+}  // namespace detail
 }  // namespace burin

@@ -18,7 +18,7 @@ Format json_format() {
   return {"json",
           {"json."},
           [](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
-            write_json(d, o.json, out, c);
+            write_json(d, values_in<JsonOptions>(o.formats), out, c);
           }};
 }
 

@@ -1,27 +1,22 @@
 #pragma once
-// The rows of the table of formats: each writer ends with its own. CMake compiles those of
-// BURIN_WRITERS and lists them in own_formats.cpp.
+// The table of formats. CMake makes it (own_formats.cpp) of BURIN_WRITERS: each writer ends with
+// its row, `Format NAME_format()` in this namespace. What a user chooses of a format is a struct
+// `NameOptions` in NAME_options.h; its rows are a part of styles in every build.
 
 #include <burin/converters/write.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin::detail {
 
-Format svg_format();
-Format pdf_format();
-Format eps_format();
-Format png_format();
-Format dxf_format();
-Format hpgl_format();
-Format gcode_format();
-Format json_format();
-Format html_format();
-
 /// Those that Burin was built with.
 std::vector<Format> own_formats();
+
+/// The names of all that it can be built with.
+std::span<const std::string_view> known_formats();
 
 /// "PDF files need Burin with cairo (BURIN_PICTURES)": of a format that it was built without; else
 /// empty.

@@ -3,8 +3,9 @@
 #include <burin/drawing/clip.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/ink.h>
-#include <burin/drawing/length.h>
 #include <burin/drawing/path_data.h>
+
+#include "pen_lines.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -21,103 +21,8 @@
 namespace burin {
 namespace {
 
-/// Paper mm that a line may be from its points: a little beside the 0.018 that rounding to the
-/// units of a plotter adds.
-constexpr double kThinned = 0.005;
-/// Paper mm between an arc and the chords of points that were thinned so.
-constexpr double kChords = 0.012;
 /// Paper mm of width by which pens differ.
 constexpr double kSamePen = 0.02;
-
-std::vector<Vec2> thinned(const std::vector<Vec2>& all) {
-  std::vector<Vec2> line;
-  for (const std::size_t i : simplify(all, kThinned)) line.push_back(all[i]);
-  return line;
-}
-
-/// The pieces of a line that are drawn where ink and gaps alternate; a closed line repeats its
-/// first point at its end.
-std::vector<std::vector<Vec2>> dashes_of(const std::vector<Vec2>& line,
-                                         const std::vector<double>& lengths) {
-  std::vector<std::vector<Vec2>> pieces{{line.front()}};
-  std::size_t part = 0;
-  double left = lengths[0];
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double length = glm::distance(line[i - 1], line[i]);
-    double at = 0;
-    while (length - at > left) {
-      at += left;
-      const Vec2 here = glm::mix(line[i - 1], line[i], at / length);
-      // Even parts are ink.
-      if (part % 2 == 0) {
-        pieces.back().push_back(here);
-      } else {
-        pieces.push_back({here});
-      }
-      part = (part + 1) % lengths.size();
-      left = lengths[part];
-    }
-    left -= length - at;
-    if (part % 2 == 0) pieces.back().push_back(line[i]);
-  }
-  return pieces;
-}
-
-/// A line that is to be cut into dashes, with so many points on its arcs that each dash is known
-/// for one.
-std::vector<Vec2> along_arcs(const std::vector<Vec2>& line, const std::vector<double>& dashes) {
-  constexpr double kOfADash = 6;
-  const double step = *std::ranges::max_element(dashes) / kOfADash;
-  std::vector<Vec2> dense;
-  for (const CurvePiece& piece : fit_arcs(line, false, {kThinned, kChords, false, true})) {
-    const std::size_t from = dense.empty() ? 0 : 1;  // each begins where the one before ends
-    if (!piece.arc) {
-      dense.insert(dense.end(), piece.points.begin() + static_cast<std::ptrdiff_t>(from),
-                   piece.points.end());
-      continue;
-    }
-    const double length = piece.arc->radius() * std::abs(piece.arc->turn);
-    const double count = std::clamp(std::ceil(length / step), 1.0, 1e6);
-    const auto n = std::max(piece.points.size(), static_cast<std::size_t>(count));
-    for (std::size_t i = from; i <= n; ++i) {
-      dense.push_back(piece.arc->at(piece.arc->begin + piece.arc->turn * double(i) / double(n)));
-    }
-  }
-  return dense;
-}
-
-/// Its dashes, fitted to the length of its arcs, which is a little more than that of their chords.
-std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line,
-                                            std::vector<double> dashes) {
-  const std::vector<Vec2> dense = along_arcs(line, dashes);
-  constexpr double kNoRest = 1 + 1e-9;  // the last gap ends where the line does, not before
-  const double length = length_of(line);
-  const double factor = length > 0 ? kNoRest * length_of(dense) / length : 1;
-  for (double& one : dashes) one *= factor;
-  return dashes_of(dense, dashes);
-}
-
-/// Circles about a place, one inside the other, and its middle, that a pen fills a disc with; none
-/// where the pen is as wide as the disc.
-std::vector<std::vector<Vec2>> disc_of(Vec2 middle, double diameter, double pen) {
-  constexpr double kOverlap = 0.9, kThinnest = 0.05, kMostCircles = 200, kMostPoints = 1000;
-  pen = std::max(pen, kThinnest);
-  const double outer = 0.5 * (diameter - pen),
-               step = std::max(kOverlap * pen, outer / kMostCircles);
-  std::vector<std::vector<Vec2>> circles;
-  double r = outer;
-  for (; r > 0.05 * pen; r -= step) {
-    const double turn = std::acos(std::max(1 - kThinned / r, 0.5));
-    const auto n = static_cast<int>(std::clamp(std::numbers::pi / turn, 8.0, kMostPoints));
-    std::vector<Vec2>& circle = circles.emplace_back();
-    for (int i = 0; i < n; ++i) {
-      const double a = 2 * std::numbers::pi * i / n;
-      circle.push_back(middle + r * Vec2(std::cos(a), std::sin(a)));
-    }
-  }
-  if (!circles.empty() && r + step > 0.5 * pen) circles.push_back({middle, middle});
-  return circles;
-}
 
 /// The width that stands in the middle of those of a layer's lines (of its dots, where it has
 /// nothing else); nothing where it has texts alone.
@@ -159,9 +64,9 @@ std::vector<PenLayer> by_color(std::vector<InkLayer> layers) {
 
 class Planner {
  public:
-  Planner(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+  Planner(const Drawing& drawing, const PenOptions& pens, std::string_view format,
           const WriteOptions& options, const RunContext& context)
-      : pens_(pens), group_(group), options_(options), context_(context) {
+      : pens_(pens), format_(format), options_(options), context_(context) {
     sheet_.add(Vec2(0));
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
     layers_ = by_color(ink_layers(drawing));
@@ -220,8 +125,8 @@ class Planner {
     for (const auto& [number, of_pen] : colors) {
       if (of_pen.size() < 2) continue;
       report(Severity::Info, "pen.colors", of_pen.size(),
-             fmt::format("pen {} draws lines of {} colours in one; {}pens=auto gives each its own",
-                         number, of_pen.size(), group_));
+             fmt::format("pen {} draws lines of {} colours in one; {}.pens=auto gives each its own",
+                         number, of_pen.size(), format_));
     }
     for (auto& [number, pen] : pens) plan_.pens.push_back(std::move(pen));
   }
@@ -259,15 +164,15 @@ class Planner {
       pen_of_.push_back(pen.value_or(1));
     }
     if (!unnamed.empty()) {
-      report(
-          Severity::Warning, "pen.unnamed", unnamed.size(),
-          fmt::format("{}pens names no pen for {}: pen 1 draws it; add *=1, or *=0 to leave it out",
-                      group_, fmt::join(unnamed, ", ")));
+      report(Severity::Warning, "pen.unnamed", unnamed.size(),
+             fmt::format(
+                 "{}.pens names no pen for {}: pen 1 draws it; add *=1, or *=0 to leave it out",
+                 format_, fmt::join(unnamed, ", ")));
     }
     if (!left_out.empty()) {
-      report(
-          Severity::Info, "pen.left_out", left_out.size(),
-          fmt::format("{} is left out: {}pens gives it pen 0", fmt::join(left_out, ", "), group_));
+      report(Severity::Info, "pen.left_out", left_out.size(),
+             fmt::format("{} is left out: {}.pens gives it pen 0", fmt::join(left_out, ", "),
+                         format_));
     }
   }
 
@@ -390,7 +295,7 @@ class Planner {
   }
 
   const PenOptions& pens_;
-  std::string group_;
+  std::string format_;
   const WriteOptions& options_;
   const RunContext& context_;
   Box2 sheet_;
@@ -424,10 +329,10 @@ std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, boo
   return pieces;
 }
 
-PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view format,
                   const WriteOptions& options, const RunContext& context) {
-  check_texts(pens, std::string(group));
-  return Planner(drawing, pens, group, options, context).run();
+  check_pens(format, pens);
+  return Planner(drawing, pens, format, options, context).run();
 }
 
 }  // namespace burin

@@ -5,8 +5,9 @@
 #include <burin/converters/write.h>
 #include <burin/drawing/arcs.h>
 #include <burin/drawing/drawing.h>
-#include <burin/drawing/pen_options.h>
 #include <burin/drawing/pen_order.h>
+
+#include "pen_options.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,10 +43,10 @@ struct PenPlan {
 /// what is between them. A closed line ends where it begins.
 std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, bool arcs);
 
-/// Plans the lines of a drawing. `group` ("hpgl.") is that of the keys of `pens`, for messages.
-/// What a pen cannot show is told through `options.tell`. Throws UsageError where `pens` says
-/// nothing that can be read, Cancelled.
-PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+/// Plans the lines of a drawing for a format ("hpgl"), whose name begins the keys in messages. What
+/// a pen cannot show goes to `options.report`. Throws UsageError where `pens` says nothing that can
+/// be read, Cancelled.
+PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view format,
                   const WriteOptions& options, const RunContext& context);
 
 }  // namespace burin

@@ -80,12 +80,8 @@ std::string format_list(std::string_view before) {
 
 WriteOptions write_options(const Style& style) {
   WriteOptions options;
-  options.svg = style.svg;
-  options.json = style.json;
-  options.png = style.png;
-  options.dxf = style.dxf;
-  options.hpgl = style.hpgl;
-  options.gcode = style.gcode;
+  options.svg = values_in<SvgOptions>(style.formats);
+  options.svg.dashes = style.dashes;
   options.formats = style.formats;
   return options;
 }

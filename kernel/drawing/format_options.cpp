@@ -1,4 +1,7 @@
+#include <burin/base/catalogue.h>
 #include <burin/drawing/format_options.h>
+
+#include <utility>
 
 namespace burin {
 
@@ -7,11 +10,11 @@ using options::number;
 
 namespace {
 
-constexpr const char* kOrder =
-    "which line of a layer comes next: as in the drawing, or the nearest, so that a pen travels "
-    "little";
-
-std::vector<std::string> order_words() { return {"drawing", "travel"}; }
+GrowingCatalogue<FormatOptions>& all() {
+  static GrowingCatalogue<FormatOptions> formats(
+      {options_of<SvgOptions>(), options_of<JsonOptions>()});
+  return formats;
+}
 
 }  // namespace
 
@@ -23,38 +26,33 @@ std::vector<OptionRow<DashOptions>> dash_option_rows() {
   };
 }
 
-std::vector<OptionRow<SvgOptions>> svg_option_rows() {
+std::vector<std::string> line_order_words() { return {"drawing", "travel"}; }
+
+std::string line_order_meaning() {
+  return "which line of a layer comes next: as in the drawing, or the nearest, so that a pen "
+         "travels little";
+}
+
+std::vector<OptionRow<SvgOptions>> SvgOptions::rows() {
   return {
       flag("flatten", &SvgOptions::flatten,
            "polylines: plain polylines of constant width, for plotters and lasers",
            {"polylines", "none"}),
       flag("merge", &SvgOptions::merge, "one element a layer and pen, without sources of lines"),
-      options::word("order", &SvgOptions::order, order_words(),
-                    std::string(kOrder) + "; then there are no groups of parts"),
+      options::word("order", &SvgOptions::order, line_order_words(),
+                    line_order_meaning() + "; then there are no groups of parts"),
       number("fit_tolerance", &SvgOptions::fit_tolerance, {0.001, 1, "mm"},
              "how far fitted curves may be from the computed lines, in mm"),
   };
 }
 
-std::vector<OptionRow<JsonOptions>> json_option_rows() {
+std::vector<OptionRow<JsonOptions>> JsonOptions::rows() {
   return {
       flag("points3", &JsonOptions::points3, "write model coordinates beside those of the paper")};
 }
 
-std::vector<OptionRow<PngOptions>> png_option_rows() {
-  return {
-      number("dpi", &PngOptions::dpi, {10, 4800}, "pixels an inch"),
-      options::word("background", &PngOptions::background, {"white", "transparent"},
-                    "what is no ink"),
-  };
-}
+std::span<const FormatOptions> format_options() { return all().rows(); }
 
-std::vector<OptionRow<DxfOptions>> dxf_option_rows() {
-  return {flag("arcs", &DxfOptions::arcs,
-               "circles, ellipses and their arcs as CIRCLE, ARC and ELLIPSE; else polylines"),
-          flag("splines", &DxfOptions::splines,
-               "other smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE"),
-          options::word("order", &DxfOptions::order, order_words(), kOrder)};
-}
+void add(FormatOptions options) { all().add(std::move(options)); }
 
 }  // namespace burin

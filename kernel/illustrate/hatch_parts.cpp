@@ -8,7 +8,7 @@
 #include <burin/surface/empty_surface.h>
 #include <burin/tone/catalogue.h>
 
-#include "style_table.h"
+#include "style/style_table.h"
 
 #include <fmt/format.h>
 

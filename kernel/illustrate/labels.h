@@ -13,12 +13,6 @@
 #include <optional>
 #include <vector>
 
-namespace burin {
-
-inline bool operator==(const Box2& a, const Box2& b) { return a.min == b.min && a.max == b.max; }
-
-}  // namespace burin
-
 namespace burin::detail {
 
 struct Labels {

@@ -3,7 +3,7 @@
 #include <burin/tone/catalogue.h>
 
 #include "fill/fills.h"
-#include "style_table.h"
+#include "style/style_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

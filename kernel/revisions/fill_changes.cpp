@@ -1,9 +1,9 @@
 #include "fill_changes.h"
 
 #include <burin/base/box.h>
+#include <burin/drawing/areas_at.h>
 #include <burin/drawing/color.h>
 #include <burin/drawing/ink.h>
-#include <burin/verify/areas_at.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
+#include <burin/base/near_lines.h>
 #include <burin/base/parallel.h>
 #include <burin/verify/referee.h>
 #include <burin/verify/verify.h>
-#include <burin/visibility/near_lines.h>
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
+#include "../png_options.h"
 #include "../sheet.h"
 #include "shapes.h"
 #include "writers.h"
@@ -243,12 +244,13 @@ class PngFile {
 
 void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                const RunContext& context) {
-  const Grid grid(drawing, options.png.dpi);
+  const auto png = values_in<PngOptions>(options.formats);
+  const Grid grid(drawing, png.dpi);
   const NearSheet sheet(drawing);
   std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
   fit_ink(shapes, options.svg.fit_tolerance, context);
   const auto chosen = by_band(shapes, grid, drawing.paper_height);
-  PngFile file(out, grid, drawing, options.png);
+  PngFile file(out, grid, drawing, png);
   for (int begin = 0; begin < grid.bands; begin += kBandsAtOnce) {
     const int n = std::min(kBandsAtOnce, grid.bands - begin);
     std::vector<Surface> bands(static_cast<std::size_t>(n));
@@ -257,7 +259,7 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
         [&](std::size_t k, std::size_t) {
           const int band = begin + static_cast<int>(k);
           bands[k] = painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing,
-                             options.png, context);
+                             png, context);
         },
         &context);
     for (const Surface& band : bands) {

@@ -1,4 +1,6 @@
 // Ink and paper of other colours than black and white, in each format that has colours.
+#include "hpgl_options.h"
+#include "png_options.h"
 #include "writing.h"
 
 #include <png.h>
@@ -73,8 +75,8 @@ Pixels pixels_of(const std::string& png) {
 TEST(Colors, OfPngAreThoseOfThePaperAndOfTheInk) {
   for (const bool transparent : {false, true}) {
     WriteOptions options;
-    options.png.dpi = 60;
-    if (transparent) options.png.background = PngOptions::Background::Transparent;
+    using enum PngOptions::Background;
+    put(options.formats, PngOptions{.dpi = 60, .background = transparent ? Transparent : White});
     const Pixels p = pixels_of(written(blue(), "png", options));
     // The line runs from the lower left corner to (100, 50) of 200 x 150 mm.
     const auto at = [&](double x, double y) {
@@ -140,8 +142,8 @@ TEST(Colors, OfLayersAreInPictures) {
       Drawing drawing = two_colors();
       if (on_paper) drawing.paper_color = "#123456";
       WriteOptions options;
-      options.png.dpi = 60;
-      if (transparent) options.png.background = PngOptions::Background::Transparent;
+      using enum PngOptions::Background;
+      put(options.formats, PngOptions{.dpi = 60, .background = transparent ? Transparent : White});
       const Pixels p = pixels_of(written(drawing, "png", options));
       const auto at = [&](double x, double y) {
         const auto column = static_cast<std::size_t>(x / 200 * p.image.width),
@@ -235,7 +237,7 @@ TEST(Colors, OfLinesThatAreAreas) {
 
 TEST(Colors, OfLinesAreInPictures) {
   WriteOptions options;
-  options.png.dpi = 60;
+  put(options.formats, PngOptions{.dpi = 60});
   const Pixels p = pixels_of(written(red_part(), "png", options));
   const auto at = [&](double x, double y) {
     const auto column = static_cast<std::size_t>(x / 200 * p.image.width),
@@ -268,7 +270,9 @@ TEST(Colors, OfLinesThatMeetAreKept) {
 TEST(Colors, OfLinesHavePensOfTheirOwn) {
   const auto pens = [](const Drawing& drawing, const std::string& rule) {
     WriteOptions options;
-    options.hpgl.pens = rule;
+    HpglOptions hpgl_options;
+    hpgl_options.pens = rule;
+    put(options.formats, hpgl_options);
     const std::string hpgl = written(drawing, "hpgl", options);
     std::string chosen;
     for (std::size_t at = hpgl.find("SP"); at != hpgl.npos; at = hpgl.find("SP", at + 1)) {

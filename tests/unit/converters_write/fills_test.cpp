@@ -1,4 +1,5 @@
 // Flat colours under the lines, in each format that has areas.
+#include "png_options.h"
 #include "writing.h"
 
 #include <png.h>
@@ -61,7 +62,7 @@ TEST(FilledAreas, OfDrawingFilesComeBack) {
 
 TEST(FilledAreas, OfPngHaveHolesAndAreSeenThrough) {
   WriteOptions options;
-  options.png.dpi = 25.4;
+  put(options.formats, PngOptions{.dpi = 25.4});
   const std::string png = written(filled(0.5), "png", options);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -1,10 +1,15 @@
 // Drawing files: our own byte for byte, those of others, broken ones in one line each.
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+
 #include "writing.h"
 
 #include <burin_test/mutated.h>
+#include <burin_test/shapes.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace burin {
 namespace {
@@ -65,7 +70,7 @@ TEST(ReadDrawing, GivesBackTheBytesThatWereWritten) {
     const std::string text = written(d, "json");
     EXPECT_EQ(written(parsed(text), "json"), text);
     WriteOptions flat;
-    flat.json.points3 = false;
+    put(flat.formats, JsonOptions{.points3 = false});
     const std::string shorter = written(d, "json", flat);
     EXPECT_EQ(written(parsed(shorter), "json"), shorter);
   }
@@ -254,6 +259,21 @@ TEST(ReadDrawing, ReadsOrRefusesAnyDamage) {
   EXPECT_EQ(read + refused, 5000);
   EXPECT_GT(refused, 1000);
   EXPECT_GT(read, 200);
+}
+
+TEST(ReadDrawing, GivesBackWhatIsDrawnInEveryStyle) {
+  Scene scene;
+  scene.parts.push_back(
+      {"box", "box", std::make_shared<MeshForm>(test::box({0, 0, 0}, {40, 30, 20}))});
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.paper = Paper::named("A6")});
+  for (const StyleInfo& info : builtin_styles()) {
+    RunContext context;
+    const Drawing drawing = illustrate(scene, camera, builtin_style(info.name),
+                                       {.hidden = HiddenLines::Dashed}, context);
+    const std::string json = written(drawing, "json");
+    EXPECT_EQ(written(parsed(json), "json"), json) << info.name;
+  }
 }
 
 }  // namespace

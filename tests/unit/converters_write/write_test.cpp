@@ -1,14 +1,19 @@
 // Every format in true millimetres, the same bytes each time, and nothing lost on nasty drawings.
+#include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/base/version.h>
 
+#include "dxf_options.h"
+#include "png_options.h"
 #include "writing.h"
 
 #include <burin_test/command.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace burin {
@@ -48,6 +53,74 @@ TEST(Formats, KnowWhichKeysOfAStyleConcernThemAlone) {
   EXPECT_TRUE(is_about_files("json.points3"));
   EXPECT_TRUE(is_about_files("line.dash"));
   EXPECT_FALSE(is_about_files("line.outer"));
+}
+
+TEST(Formats, DeclareTheirOptionsAsKeysOfStyles) {
+  const std::vector<StyleKey> keys = style_keys(Style());
+  std::map<std::string, std::size_t> options;
+  for (const StyleKey& key : keys) {
+    const std::string group = key.name.substr(0, key.name.find('.'));
+    if (!format_named(group)) continue;
+    ++options[group];
+    EXPECT_FALSE(key.meaning.empty()) << key.name;
+    EXPECT_FALSE(takes_text(key).empty()) << key.name;
+    EXPECT_STREQ(key.scope(), "drawing") << key.name;
+    // Commands of a machine that has none of its own.
+    EXPECT_EQ(key.value.empty(), key.name == "gcode.down" || key.name == "gcode.up") << key.name;
+  }
+  EXPECT_EQ(options,
+            (std::map<std::string, std::size_t>{
+                {"dxf", 3}, {"gcode", 13}, {"hpgl", 4}, {"json", 1}, {"png", 2}, {"svg", 4}}));
+  const auto dpi = std::ranges::find(keys, "png.dpi", &StyleKey::name);
+  ASSERT_NE(dpi, keys.end());
+  EXPECT_EQ(dpi->value, "300");
+  EXPECT_EQ(std::ranges::count(dpi->also, "resolution"), 1);
+}
+
+TEST(Formats, TakeTheirOptionsFromAStyle) {
+  Style style;
+  set_style_key(style, "png.dpi", "72");
+  set_style_key(style, "svg.flatten", "polylines");
+  set_style_key(style, "line.dash", "5");
+  const WriteOptions options = write_options(style);
+  EXPECT_EQ(values_in<PngOptions>(options.formats).dpi, 72);
+  EXPECT_TRUE(options.svg.flatten);
+  EXPECT_EQ(options.svg.dashes.dash, 5);
+  const auto refused = [&](const char* key, const char* value) {
+    try {
+      set_style_key(style, key, value);
+      check_style(style);
+    } catch (const UsageError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("png.dpi", "5000"), "style key 'png.dpi' takes 10 to 4800, not '5000'");
+  EXPECT_EQ(refused("hpgl.pens", "outline=65"),
+            "style key 'hpgl.pens' takes auto, layers, one or LAYER=PEN;..., not 'outline=65': "
+            "'outline=65': pens are numbers from 0 to 64");
+  EXPECT_TRUE(refused("gcode.fed", "9").find("'gcode.feed'") != std::string::npos);
+  // Back at what it was: nothing differs from a style that was never changed.
+  for (const auto& [key, value] : {std::pair{"png.dpi", "300"},
+                                   {"svg.flatten", "none"},
+                                   {"line.dash", "2"},
+                                   {"hpgl.pens", "auto"}}) {
+    set_style_key(style, key, value);
+  }
+  EXPECT_EQ(style, Style());
+}
+
+TEST(Formats, CannotDifferByPart) {
+  const Style whole;
+  for (const char* key : {"\"svg.flatten\": true", "\"png.dpi\": 99", "\"hpgl.speed\": 9",
+                          "\"dxf.splines\": true", "\"gcode.feed\": 9"}) {
+    try {
+      parse_style("{" + std::string(key) + "}", "red.json", Style(), &whole);
+      FAIL() << key;
+    } catch (const UsageError& e) {
+      EXPECT_NE(std::string(e.what()).find("cannot differ by part"), std::string::npos) << e.what();
+    }
+  }
 }
 
 TEST(WriteDrawing, SameBytesEachTimeForAnyNumberOfThreads) {
@@ -106,7 +179,7 @@ TEST(WriteDrawing, SheetsThatAFormatCannotHoldAreRefused) {
   EXPECT_THROW(check_sheet(5081, 10, *format_named("pdf"), {}), UsageError);
   EXPECT_THROW(check_sheet(0, 10, *format_named("svg"), {}), UsageError);
   WriteOptions fine;
-  fine.png.dpi = 4800;
+  put(fine.formats, PngOptions{.dpi = 4800});
   EXPECT_THROW(check_sheet(297, 210, *format_named("png"), fine), UsageError);
   Drawing large = ruler();
   large.paper_width = 9000;
@@ -115,7 +188,7 @@ TEST(WriteDrawing, SheetsThatAFormatCannotHoldAreRefused) {
 
 TEST(WriteDrawing, PngHasItsSizeAndResolution) {
   WriteOptions options;
-  options.png.dpi = 254;
+  put(options.formats, PngOptions{.dpi = 254});
   const std::string png = written(ruler(), "png", options);
   EXPECT_EQ(png.substr(1, 3), "PNG");
   EXPECT_EQ(number_at(png, 16), 2000);
@@ -124,7 +197,7 @@ TEST(WriteDrawing, PngHasItsSizeAndResolution) {
   const std::size_t physical = png.find("pHYs");
   ASSERT_NE(physical, std::string::npos);
   EXPECT_EQ(number_at(png, physical + 4), 10000);
-  options.png.background = PngOptions::Background::Transparent;
+  put(options.formats, PngOptions{.background = PngOptions::Background::Transparent});
   EXPECT_EQ(written(ruler(), "png", options)[25], 4);  // grey and alpha
 }
 
@@ -305,7 +378,7 @@ TEST(WriteDrawing, DxfHasCirclesArcsAndEllipses) {
                      "51\n90.0\n"),
             std::string::npos);
   WriteOptions options;
-  options.dxf.arcs = false;
+  put(options.formats, DxfOptions{.arcs = false});
   const std::string plain = written(d, "dxf", options);
   EXPECT_EQ(count_of(plain, "\nCIRCLE\n") + count_of(plain, "\nARC\n"), 0u);
   EXPECT_EQ(count_of(plain, "\nLWPOLYLINE\n"), 4u);
@@ -327,9 +400,9 @@ TEST(WriteDrawing, DxfHasCirclesArcsAndEllipses) {
 TEST(WriteDrawing, DxfSplinesOnlyWhereAskedFor) {
   const Drawing drawing = test::sample_drawing();
   WriteOptions options;
-  options.dxf.arcs = false;
+  put(options.formats, DxfOptions{.arcs = false});
   EXPECT_EQ(written(drawing, "dxf", options).find("\nSPLINE\n"), std::string::npos);
-  options.dxf.splines = true;
+  put(options.formats, DxfOptions{.arcs = false, .splines = true});
   const std::string dxf = written(drawing, "dxf", options);
   EXPECT_NE(dxf.find("\nSPLINE\n"), std::string::npos);
   // n cubics: 3n + 5 knots, 3n + 1 control points.

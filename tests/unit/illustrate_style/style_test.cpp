@@ -36,16 +36,16 @@ TEST(Style, EveryMemberHasOneKey) {
     names.insert(key.name);
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(takes_text(key).empty());
-    // Commands of a machine that has none of its own; colours that are those of the sheet.
-    const std::set<std::string> empty{"gcode.down",   "gcode.up", "line.color",      "hatch.color",
-                                      "shadow.color", "fill.ink", "fill.hatch_color"};
+    // Colours that are those of the sheet.
+    const std::set<std::string> empty{"line.color", "hatch.color", "shadow.color", "fill.ink",
+                                      "fill.hatch_color"};
     const bool may_be_empty = empty.contains(key.name);
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
-                             3u + 3u + 3u + 3u + 5u + 1u + 1u /*callout.legend*/ + 4u /*hpgl*/ +
-                             13u /*gcode*/);
+  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
+                             3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ + 6u /*callout*/ +
+                             4u /*svg*/ + 1u /*json*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -70,11 +70,11 @@ TEST(Style, SetsMembersByType) {
   set_style_key(s, "tone.light", " 1, -2.5,3e-1");
   EXPECT_EQ(s.tone.light, Vec3(1, -2.5, 0.3));
   set_style_key(s, "svg.flatten", "polylines");
-  EXPECT_TRUE(s.svg.flatten);
+  EXPECT_TRUE(values_in<SvgOptions>(s.formats).flatten);
   set_style_key(s, "svg.flatten", "none");
-  EXPECT_FALSE(s.svg.flatten);
+  EXPECT_FALSE(values_in<SvgOptions>(s.formats).flatten);
   set_style_key(s, "json.points3", "false");
-  EXPECT_FALSE(s.json.points3);
+  EXPECT_FALSE(values_in<JsonOptions>(s.formats).points3);
 }
 
 TEST(Style, RefusesWhatAKeyDoesNotTake) {
@@ -146,8 +146,8 @@ TEST(StyleFile, ReadsGroupsDotsBaseAndComments) {
   EXPECT_EQ(s.hatch.spacing_min, 0.4);
   EXPECT_EQ(s.hatch.field.name, "fixed");
   EXPECT_EQ(s.hatch.field.direction, Vec3(1, 0, 0));
-  EXPECT_TRUE(s.svg.flatten);
-  EXPECT_FALSE(s.json.points3);
+  EXPECT_TRUE(values_in<SvgOptions>(s.formats).flatten);
+  EXPECT_FALSE(values_in<JsonOptions>(s.formats).points3);
   EXPECT_EQ(parse_style(R"({"name": "x"})", "f").name, "x");
 }
 
@@ -156,7 +156,7 @@ TEST(StyleFile, RoundTrip) {
     Style s = builtin_style(info.name);
     s.tone.light = {1.0 / 3, -2e-7, 12345.678};
     s.hatch.taper = 0.1 + 0.2;
-    s.svg.flatten = true;
+    put(s.formats, SvgOptions{.flatten = true});
     const std::string text = style_to_json(s);
     const Style back = parse_style(text, "other");
     EXPECT_EQ(style_to_json(back), text);
@@ -302,10 +302,9 @@ TEST(StyleFiles, KeysThatHoldForAWholeDrawingCannotDifferByPart) {
             "part: parts have 'line.color' instead");
   EXPECT_TRUE(contains(message("{\"sheet\": {\n\"paper\": \"#ff0000\"}}"),
                        "red.json:2: style key 'sheet.paper' holds for the whole drawing"));
-  for (const char* key : {"\"halo.gap\": 1", "\"depth.far\": 0.5", "\"svg.flatten\": true",
-                          "\"png.dpi\": 99", "\"line.dash\": 5", "\"callout.circle\": false",
-                          "\"hpgl.speed\": 9", "\"dxf.splines\": true", "\"json.points3\": false",
-                          "\"gcode.feed\": 9", "\"sheet.clip\": false"}) {
+  for (const char* key :
+       {"\"halo.gap\": 1", "\"depth.far\": 0.5", "\"svg.flatten\": true", "\"line.dash\": 5",
+        "\"callout.circle\": false", "\"json.points3\": false", "\"sheet.clip\": false"}) {
     EXPECT_TRUE(contains(message(("{" + std::string(key) + "}").c_str()), "cannot differ by part"))
         << key;
   }

@@ -5,7 +5,6 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
-#include <burin/drawing/pen_options.h>
 #include <burin/drawing/writers.h>
 #include <burin/illustrate/style.h>
 
@@ -52,13 +51,10 @@ struct HtmlOptions {
 
 /// What the formats leave open.
 struct WriteOptions {
+  /// Every format that has curves and dashes looks at some of these.
   SvgOptions svg;
-  JsonOptions json;
-  PngOptions png;
-  DxfOptions dxf;
-  HpglOptions hpgl;
-  GcodeOptions gcode;
   HtmlOptions html;
+  /// The options that formats declare, by key of a style ("png.dpi"); those of svg are in `svg`.
   DeclaredValues formats;
   /// Called now and then by the thread that writes, with the share that is done.
   std::function<void(double)> progress;

@@ -32,6 +32,7 @@ struct Box {
     }
     return true;
   }
+  bool operator==(const Box&) const = default;
 };
 
 using Box2 = Box<Vec2>;

@@ -1,10 +1,14 @@
 #pragma once
-/// What a user chooses of the files that a drawing becomes, of all formats: those that other
-/// modules write, too.
+/// What a user chooses of the files that a drawing becomes: of all formats, and of the two that the
+/// kernel writes. Writers elsewhere add the options of theirs to the catalogue.
 
-#include <burin/options/row.h>
+#include <burin/options/declared.h>
 
+#include <functional>
+#include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -24,6 +28,9 @@ enum class LineOrder {
 };
 
 struct SvgOptions {
+  static constexpr std::string_view kRow = "svg";
+  static std::vector<OptionRow<SvgOptions>> rows();
+
   /// Plain polylines of constant width instead of fitted curves and outlined strokes: for plotters
   /// and lasers; for every format that has curves.
   bool flatten = false;
@@ -44,36 +51,50 @@ struct SvgOptions {
 };
 
 struct JsonOptions {
+  static constexpr std::string_view kRow = "json";
+  static std::vector<OptionRow<JsonOptions>> rows();
+
   /// Model coordinates beside the paper coordinates.
   bool points3 = true;
 
   bool operator==(const JsonOptions&) const = default;
 };
 
-struct PngOptions {
-  /// Pixels per inch; also written into the file, so that pictures are shown in their true size.
-  double dpi = 300;
-  enum class Background { White, Transparent };
-  Background background = Background::White;
-
-  bool operator==(const PngOptions&) const = default;
-};
-
-struct DxfOptions {
-  /// Lines of constant width as ARC, CIRCLE and ELLIPSE where they are such.
-  bool arcs = true;
-  /// Other smooth curves of constant width as SPLINE instead of LWPOLYLINE.
-  bool splines = false;
-  LineOrder order = LineOrder::Drawing;
-
-  bool operator==(const DxfOptions&) const = default;
-};
-
-/// Names without a group: "dash"; "flatten"; "points3"; "dpi"; "splines" ...
+/// Names without a group: "dash", "gap".
 std::vector<OptionRow<DashOptions>> dash_option_rows();
-std::vector<OptionRow<SvgOptions>> svg_option_rows();
-std::vector<OptionRow<JsonOptions>> json_option_rows();
-std::vector<OptionRow<PngOptions>> png_option_rows();
-std::vector<OptionRow<DxfOptions>> dxf_option_rows();
+
+/// The words of `LineOrder`, and what the option means.
+std::vector<std::string> line_order_words();
+std::string line_order_meaning();
+
+/// The options of a format, whether or not this build writes it: keys of styles "png.dpi" and so
+/// on.
+struct FormatOptions {
+  /// The suffix without its dot.
+  std::string_view name;
+  std::vector<DeclaredOption> options;
+  /// Tests texts that are more than text; empty: there are none. Throws UsageError.
+  std::function<void(const DeclaredValues&)> check = {};
+  /// Options, and what people look for who know them by other names.
+  std::map<std::string, std::vector<std::string>> other_names = {};
+};
+
+/// Those of the kernel's formats (svg, json), then all that were added, in that order.
+std::span<const FormatOptions> format_options();
+
+/// Throws UsageError where the name is that of a format of the kernel.
+void add(FormatOptions options);
+
+/// The options of a format from its struct; `T::check(const T&)`, where there is one, tests texts,
+/// and `T::other_names()` gives those.
+template <Declared T>
+FormatOptions options_of() {
+  FormatOptions out{T::kRow, declared<T>()};
+  if constexpr (requires(const T& options) { T::check(options); }) {
+    out.check = [](const DeclaredValues& values) { T::check(values_in<T>(values)); };
+  }
+  if constexpr (requires { T::other_names(); }) out.other_names = T::other_names();
+  return out;
+}
 
 }  // namespace burin

@@ -3,7 +3,6 @@
 
 #include <burin/annotate/options.h>
 #include <burin/drawing/format_options.h>
-#include <burin/drawing/pen_options.h>
 #include <burin/feature/options.h>
 #include <burin/field/options.h>
 #include <burin/options/declared.h>
@@ -165,13 +164,10 @@ struct Style {
   DepthOptions depth{};
   SheetStyle sheet{};
   CalloutOptions callout{};
-  SvgOptions svg{};
-  JsonOptions json{};
-  PngOptions png{};
-  DxfOptions dxf{};
-  HpglOptions hpgl{};
-  GcodeOptions gcode{};
-  /// Of the options that formats from elsewhere declare: keys "txt.decimals" and so on.
+  /// Keys "line.dash" and "line.gap".
+  DashOptions dashes{};
+  /// Of the options that formats declare (`format_options`, `added_formats`): keys "svg.flatten",
+  /// "txt.decimals" and so on.
   DeclaredValues formats{};
 
   bool operator==(const Style&) const = default;

@@ -4,9 +4,9 @@
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/base/vec.h>
+#include <burin/drawing/areas_at.h>
 #include <burin/drawing/drawing.h>
 #include <burin/feature/isophotes.h>
-#include <burin/verify/areas_at.h>
 #include <burin/verify/referee.h>
 
 #include <cstddef>

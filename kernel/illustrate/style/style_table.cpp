@@ -229,9 +229,7 @@ class Rows {
 std::vector<StyleRow> all_rows() {
   Rows rows;
   rows.of_parts("line.", &Style::line, line_rows());
-  std::vector<OptionRow<SvgOptions>> dashes;
-  append(dashes, "", &SvgOptions::dashes, dash_option_rows());
-  rows.of_whole("line.", &Style::svg, dashes);
+  rows.of_whole("line.", &Style::dashes, dash_option_rows());
   rows.of_parts("feature.", &Style::feature, feature_option_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_option_rows());
@@ -243,15 +241,10 @@ std::vector<StyleRow> all_rows() {
   rows.of_parts("tone.", &Style::fill, fill_tone_rows());
   rows.of_whole("sheet.", &Style::sheet, sheet_rows());
   rows.of_whole("callout.", &Style::callout, callout_option_rows());
-  rows.of_whole("svg.", &Style::svg, svg_option_rows());
-  rows.of_whole("json.", &Style::json, json_option_rows());
-  rows.of_whole("png.", &Style::png, png_option_rows());
-  rows.of_whole("dxf.", &Style::dxf, dxf_option_rows());
-  rows.of_whole("hpgl.", &Style::hpgl, hpgl_option_rows());
-  rows.of_whole("gcode.", &Style::gcode, gcode_option_rows());
-  std::vector<OptionRow<Style>> added;
-  options::append_declared(added, &Style::formats, added_formats());
-  rows.add(added, true);
+  std::vector<OptionRow<Style>> of_formats;
+  options::append_declared(of_formats, &Style::formats, format_options());
+  options::append_declared(of_formats, &Style::formats, added_formats());
+  rows.add(of_formats, true);
   return rows.take();
 }
 
@@ -294,8 +287,6 @@ const std::vector<OtherNames>& all_other_names() {
       {"sheet.paper",
        {"background", "bg", "background color", "background colour", "paper color", "paper colour",
         "sheet color", "white background"}},
-      {"png.dpi", {"resolution", "pixels", "ppi", "px", "image size", "pixel size"}},
-      {"png.background", {"transparent background", "no background"}},
   };
   return rows;
 }
@@ -318,7 +309,13 @@ std::string key_of_parts(std::string_view whole) {
 
 std::vector<std::string> other_names_of(std::string_view key) {
   const auto row = std::ranges::find(all_other_names(), key, &OtherNames::key);
-  return row == all_other_names().end() ? std::vector<std::string>() : row->names;
+  if (row != all_other_names().end()) return row->names;
+  for (const FormatOptions& format : format_options()) {
+    for (const auto& [option, names] : format.other_names) {
+      if (key == std::string(format.name) + "." + option) return names;
+    }
+  }
+  return {};
 }
 
 std::vector<StyleRow> all_rows_of(const Style& style) {
