@@ -149,7 +149,7 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     for (const auto& [color, group] : groups) {
       context.check();
       // An ink shows no colours of faces.
-      const std::string& filled = are_in_spot_ink(style) ? own : color;
+      const std::string filled = are_in_spot_ink(style) ? own : fills.lit(part, color);
       Hatcher(style, line_color(style, filled, drawing.ink_color), color == own ? over : Rings())
           .add(group, layer);
     }
