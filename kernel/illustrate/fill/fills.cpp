@@ -197,7 +197,9 @@ void Fills::paint(Area& area) const {
   area.opacity = opacity_of(scene_.parts[part], area.opacity, fill, part_styles_.transparent(part));
   if (!fill.ink.empty()) {
     area.ink = fill.ink;
-    area.tint = 1 - light * (1 - fill.tint);
+    // Glass has no tones: it has the mean of them, or it would hardly be seen.
+    const double tone = fill.steps > 1 && part_styles_.transparent(part) ? 0.5 : light;
+    area.tint = 1 - tone * (1 - fill.tint);
     area.fill = to_text(over(*rgb, area.tint, paper_));
   } else {
     const double share = tones.darkest + (1 - tones.darkest) * light;
