@@ -91,6 +91,37 @@ TEST_F(Colours, HighlightsOfGlassAreSeenInSpotInksToo) {
   EXPECT_NEAR(tint("--highlight glass"), (0.6 + 1) / 2 * 0.3, 1e-9);
 }
 
+TEST_F(Colours, OfGlassAreOpaqueWhereALookSaysSo) {
+  folder_.write("solid.json", R"({"base": "flat", "fill.opacity": 1})");
+  folder_.write("group.json", R"({"base": "flat", "fill": {"opacity": 1}})");
+  folder_.write("flat.json", R"({"base": "flat"})");
+  const auto opacity = [&](const std::string& options) {
+    const Json drawing = drawn("--style flat " + options);
+    for (const Json& area : drawing.at("areas")) {
+      if (area.at("part") == 0) return area.value("opacity", 1.0);
+    }
+    return 0.0;
+  };
+  EXPECT_NEAR(opacity(""), 0.3, 1e-9);
+  EXPECT_NEAR(opacity("--look glass=@/flat.json"), 0.3, 1e-9) << "nothing is said of opacity";
+  EXPECT_NEAR(opacity("--look glass=flat"), 0.3, 1e-9);
+  EXPECT_EQ(opacity("--look glass=@/solid.json"), 1);
+  EXPECT_EQ(opacity("--look glass=@/group.json"), 1);
+  EXPECT_EQ(opacity("--ghost glass --look glass=@/solid.json"), 1);
+  const auto names = fills(drawn("--style flat --look glass=@/solid.json"));
+  EXPECT_FALSE(names.contains("core")) << "it is hidden";
+  // Strokes are back, too.
+  folder_.write("pen.json", R"({"base": "engraving", "fill.opacity": 1})");
+  const Json drawing = drawn("--style engraving --look glass=@/pen.json");
+  bool any = false;
+  for (const Json& layer : drawing.at("layers")) {
+    for (const Json& path : layer.at("paths")) {
+      any = any || (path.at("kind") == "stroke" && path.at("part") == 0);
+    }
+  }
+  EXPECT_TRUE(any);
+}
+
 TEST_F(Colours, HighlightsHaveTonesOnWhichLinesAreSeen) {
   drawn("--style cel --highlight core=red");
   EXPECT_EQ(err_, "");
