@@ -23,8 +23,7 @@ std::optional<Illustration> with_legend_as_seen(const Scene& scene, const SheetO
       legend_box(*over, illustration.style.callout, paper).has_value()) {
     return std::nullopt;
   }
-  Annotations seen =
-      with_seen_rows(scene, illustration.style, illustration.illustrate, drawing.areas);
+  Annotations seen = with_seen_rows(scene, illustration.style, illustration.illustrate, drawing);
   if (std::erase_if(seen.legend, [](const LegendRow& row) { return !row.seen; }) == 0)
     return std::nullopt;
   Illustration out = illustration;

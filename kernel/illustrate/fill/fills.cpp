@@ -168,7 +168,8 @@ std::string Fills::color(const Area& area) const {
     set_face_color(one, painted);
     std::string base = painted.fill;
     paint(painted);
-    if (painted.fill == area.fill) return base;
+    // What is hatched alone has the colour of its lines.
+    if ((area.opacity > 0 ? painted.fill : lit(part, base)) == area.fill) return base;
   }
   return color(part);
 }
