@@ -98,6 +98,7 @@ namespace {
 
 constexpr double kStray = 0.05;    // the share of light that any surface gives back
 constexpr double kNearest = 0.86;  // share of lightness at which two flat tones are told apart
+constexpr double kPale = 0.5;      // light beyond which colours are hardly told apart
 
 double light_of(const Rgb& c) {
   return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
@@ -140,7 +141,8 @@ Tones readable(const Tones& tones, const Rgb& ink) {
   if (least > 1) return {with_lightness(tones.light, std::cbrt(most / is)), tones.darkest};
   Tones out = tones;
   if (is * std::pow(tones.darkest, 3) < least) {
-    out.light = lightened(tones.light, least / std::pow(std::max(tones.darkest, kNearest), 3));
+    const double wanted = least / std::pow(std::max(tones.darkest, kNearest), 3);
+    out.light = lightened(tones.light, std::min(wanted, std::max(least, kPale)));
   }
   out.darkest = readable_darkest(out, ink);
   return out;

@@ -93,7 +93,8 @@ void tell_of_faces(const Fills& fills, const PartStyles& part_styles, Drawing& d
   }
 }
 
-/// That lines are hardly seen on colours that were named, and so stay as they are.
+/// That lines are hardly seen on colours that were named, and so stay as they are, or through which
+/// the paper is seen.
 void tell_of_contrast(const Scene& scene, const Fills& fills, const PartStyles& part_styles,
                       Drawing& drawing) {
   constexpr double kHidden = 2;  // contrast under which lines can hardly be seen
@@ -102,7 +103,8 @@ void tell_of_contrast(const Scene& scene, const Fills& fills, const PartStyles& 
   for (const Area& area : drawing.areas) {
     const auto part = static_cast<std::size_t>(area.part);
     const auto rgb = rgb_of(area.fill);
-    if (!rgb || part_styles.transparent(part) || is_own(part_styles.style(part).fill)) continue;
+    const bool readable = is_own(part_styles.style(part).fill) && area.opacity >= 1;
+    if (!rgb || part_styles.transparent(part) || readable) continue;
     const double is = contrast(over(*rgb, area.opacity, paper), fills.ink_of(part));
     if (is >= kHidden) continue;
     const auto [at, fresh] = worst.try_emplace(area.part, is, area.fill);

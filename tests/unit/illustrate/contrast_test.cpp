@@ -95,6 +95,7 @@ TEST(Contrast, OfGreyLinesLeavesTonesApart) {
   style.line.color = "#8c8c8c";
   style.fill.steps = 2;
   EXPECT_EQ(fills(ball("#ffffff", style)).size(), 2u);
+  EXPECT_FALSE(fills(ball("#2040a0", style)).contains("#ffffff")) << "still blue";
 }
 
 TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
@@ -112,6 +113,9 @@ TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
   EXPECT_EQ(warnings(ball("#ffffff", style)), 0);
   style.fill.color = "#f0f0f0";
   EXPECT_EQ(warnings(ball("#ffffff", style)), 1) << "white on white";
+  style.fill.color = "part";
+  style.fill.opacity = 0.4;
+  EXPECT_EQ(warnings(ball("#ffffff", style)), 1) << "the paper is white, too";
   // Its darkest tone, which is none where areas are not painted.
   style = builtin_style("flat");
   style.fill.color = "#d62728";

@@ -50,7 +50,7 @@ struct Tones {
 /// Tones of the colour on which lines of `ink` are seen, with `kLeastContrast`: where they are dark
 /// the darkest one is lighter, up to a share of 0.86, so that tones are told apart, and then the
 /// colour is mixed with white. Where they are light, so that no colour is light enough beside them,
-/// it is darker. Of a grey ink on the lightest colours there is less contrast.
+/// it is darker. Beside a grey ink dark tones have less contrast, so that colours stay colours.
 Tones readable(const Tones& tones, const Rgb& ink);
 
 /// The same for a colour that must stay as it is: the share of lightness of its darkest tone.
