@@ -6,6 +6,7 @@
 #include <burin/forms/charted/chart.h>
 #include <burin/surface/face_colors.h>
 
+#include "look.h"
 #include "source.h"
 
 #include <TopoDS_Shape.hxx>
@@ -30,20 +31,19 @@ struct CadBody {
   std::vector<TopoDS_Shape> sewn_from = {};
 };
 
-/// How a part, or a body of it, is coloured.
-struct CadColor {
-  /// "#rrggbb" or empty.
-  std::string hex;
-  double opacity = 1;
-  bool operator==(const CadColor&) const = default;
-};
-
 /// The faces of a body that has several colours, in the order of TopExp::MapShapes.
 struct CadFaces {
-  /// "#rrggbb", or empty: that of the body.
-  std::vector<std::string> color;
+  /// Without a colour: that of the body.
+  std::vector<Appearance> color;
   /// In the square of the file's unit.
   std::vector<double> area;
+};
+
+/// A part with the colours of its faces; absent where all look like it. What is of glass as a
+/// whole, or has no other faces, is of glass.
+struct CadPaint {
+  Appearance look;
+  std::shared_ptr<const FaceColors> faces;
 };
 
 struct CadPart {
@@ -54,17 +54,17 @@ struct CadPart {
   /// What it is made of, shared by all instances; at least one body.
   std::shared_ptr<const std::vector<CadBody>> bodies;
   /// Of each body.
-  std::vector<CadColor> colors;
+  std::vector<Appearance> colors;
   /// Of each body; none where all bodies of the part have one colour and no face has another.
   std::shared_ptr<const std::vector<CadFaces>> faces = {};
   Placement placement;
 
   /// The one that all bodies have, else none.
-  CadColor color() const;
-  /// The colours of the faces of some bodies, which are numbered through.
-  PaintedFaces painted(const std::vector<std::size_t>& of) const;
+  Appearance color() const;
+  /// The colours of some bodies and of their faces, which are numbered through.
+  CadPaint painted(const std::vector<std::size_t>& of) const;
   /// The same of the body `of[only]` alone, whose faces have the numbers that they have there.
-  PaintedFaces painted(const std::vector<std::size_t>& of, std::size_t only) const;
+  CadPaint painted(const std::vector<std::size_t>& of, std::size_t only) const;
 };
 
 struct CadFile {

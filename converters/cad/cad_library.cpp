@@ -138,10 +138,10 @@ void for_parts(CadFile& file, const OcctSession& session, const std::string& pat
 /// The colours of parts that have several, those of instances made once.
 class Paints {
  public:
-  PaintedFaces of(const CadPart& part, const std::vector<std::size_t>& bodies) {
-    if (!part.faces) return {part.color().hex, {}};
+  CadPaint of(const CadPart& part, const std::vector<std::size_t>& bodies) {
+    if (!part.faces) return part.painted(bodies);
     Key key{part.faces.get(), bodies, {}};
-    for (const CadColor& color : part.colors) std::get<2>(key).push_back(color.hex);
+    for (const Appearance& color : part.colors) std::get<2>(key).push_back(color_text(color));
     const auto [at, is_new] = known_.try_emplace(std::move(key));
     if (is_new) at->second = part.painted(bodies);
     return at->second;
@@ -149,7 +149,7 @@ class Paints {
 
  private:
   using Key = std::tuple<const void*, std::vector<std::size_t>, std::vector<std::string>>;
-  std::map<Key, PaintedFaces> known_;
+  std::map<Key, CadPaint> known_;
 };
 
 /// The bodies of a part that can be chosen one by one.
@@ -159,12 +159,10 @@ std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
   if (made.bodies->size() < 2) return pieces;
   for (std::size_t i = 0; i < made.bodies->size(); ++i) {
     const BrepBody& body = (*made.bodies)[i];
-    const CadColor& color = part.colors[made.from[i]];
-    PaintedFaces paint{color.hex, {}};
-    if (part.faces) paint = part.painted(made.from, i);
+    CadPaint paint = part.painted(made.from, i);
     pieces.push_back({(*part.bodies)[made.from[i]].name,
                       std::make_shared<BrepForm>(body.model, after(place, body.placement)),
-                      std::move(paint.color), color.opacity, std::move(paint.faces)});
+                      std::move(paint.look.color), paint.look.opacity, std::move(paint.faces)});
   }
   return pieces;
 }
@@ -185,10 +183,10 @@ Scene read(const std::filesystem::path& path, const std::string& encoding, RunCo
   for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& cad) {
     const Models::Made& made = models.of(cad);
     const Placement place = place_of(cad);
-    PaintedFaces paint = paints.of(cad, made.from);
+    CadPaint paint = paints.of(cad, made.from);
     Part part{std::move(cad.name),     path.string(),          form_of(made, place),
-              std::move(cad.assembly), std::move(paint.color), std::move(cad.definition)};
-    part.opacity = cad.color().opacity;
+              std::move(cad.assembly), std::move(paint.look.color), std::move(cad.definition)};
+    part.opacity = paint.look.opacity;
     part.face_colors = std::move(paint.faces);
     part.pieces = pieces_of(cad, made, place);
     scene.parts.push_back(std::move(part));
@@ -216,10 +214,10 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     if (!is_new) p.same_shape_as = it->second;
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
-    PaintedFaces paint = paints.of(part, made.from);
-    p.colors = count_colors(paint.color, paint.faces.get());
-    p.color = std::move(paint.color);
-    p.opacity = part.color().opacity;
+    CadPaint paint = paints.of(part, made.from);
+    p.colors = count_colors(paint.look.color, paint.faces.get());
+    p.color = std::move(paint.look.color);
+    p.opacity = paint.look.opacity;
     info.parts.push_back(std::move(p));
   });
   return info;

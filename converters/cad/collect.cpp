@@ -103,7 +103,7 @@ class Collector {
     std::vector<std::string> assembly;
     /// Of an instance, which goes before that of what it is an instance of; of an assembly, which
     /// is that of members without one.
-    CadColor instance_color, assembly_color;
+    Appearance instance_color, assembly_color;
   };
 
   /// Faces, or wires and points, that nobody gave a name or put together.
@@ -202,12 +202,12 @@ class Collector {
   void visit(const TDF_Label& instance, const TDF_Label& product, Place place) {
     context_.check();
     const std::string name = name_of(instance, product, place.assembly);
-    if (place.instance_color.hex.empty() && instance != product) {
+    if (place.instance_color.color.empty() && instance != product) {
       place.instance_color = label_color(colors_, instance);
     }
     if (!XCAFDoc_ShapeTool::IsAssembly(product)) return leaf(product, name, place);
     place.assembly.push_back(name);
-    if (CadColor color = label_color(colors_, product); !color.hex.empty()) {
+    if (Appearance color = label_color(colors_, product); !color.color.empty()) {
       place.assembly_color = std::move(color);
     }
     TDF_LabelSequence members;
@@ -224,7 +224,7 @@ class Collector {
   /// What a label of a shape holds: read once, shared by its instances.
   struct Product {
     std::shared_ptr<const std::vector<CadBody>> bodies;
-    std::vector<CadColor> colors;
+    std::vector<Appearance> colors;
     std::shared_ptr<const std::vector<CadFaces>> faces;
     /// What of it belongs to no face; one thing where there is nothing at all.
     Loose left_out;
@@ -270,11 +270,11 @@ class Collector {
     if (is_meaningless(part.definition)) part.definition.clear();
     part.bodies = product.bodies;
     part.colors = product.colors;
-    if (place.instance_color.hex.empty()) part.faces = product.faces;
+    if (place.instance_color.color.empty()) part.faces = product.faces;
     part.placement = placement_of(place.location);
-    for (CadColor& color : part.colors) {
-      if (!place.instance_color.hex.empty()) color = place.instance_color;
-      if (color.hex.empty()) color = place.assembly_color;
+    for (Appearance& color : part.colors) {
+      if (!place.instance_color.color.empty()) color = place.instance_color;
+      if (color.color.empty()) color = place.assembly_color;
     }
     parts.push_back(std::move(part));
   }

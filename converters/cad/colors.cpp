@@ -41,7 +41,7 @@ std::vector<double> face_areas(const TopoDS_Shape& shape) {
   return areas;
 }
 
-CadColor label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label) {
+Appearance label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label) {
   Quantity_ColorRGBA color;
   for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen}) {
     if (!tool->GetColor(label, type, color)) continue;
@@ -68,25 +68,25 @@ LabelColors::LabelColors(const Handle(XCAFDoc_ColorTool) & tool,
 }
 
 void LabelColors::add(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label) {
-  CadColor color = label_color(tool, label);
+  Appearance color = label_color(tool, label);
   const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-  if (color.hex.empty() || shape.IsNull()) return;
+  if (color.color.empty() || shape.IsNull()) return;
   index_.Bind(shape, static_cast<int>(colors_.size()));
   colors_.push_back(std::move(color));
 }
 
-const CadColor* LabelColors::find(const TopoDS_Shape& shape) const {
+const Appearance* LabelColors::find(const TopoDS_Shape& shape) const {
   const int* index = index_.Seek(shape);
   return index ? &colors_[static_cast<std::size_t>(*index)] : nullptr;
 }
 
-std::vector<const CadColor*> LabelColors::face_colors(const CadBody& body) const {
+std::vector<const Appearance*> LabelColors::face_colors(const CadBody& body) const {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
   const auto count = static_cast<std::size_t>(faces.Extent());
-  std::vector<const CadColor*> out(count, nullptr);
+  std::vector<const Appearance*> out(count, nullptr);
   for (TopExp_Explorer shell(body.shape, TopAbs_SHELL); shell.More(); shell.Next()) {
-    const CadColor* color = find(shell.Current());
+    const Appearance* color = find(shell.Current());
     if (!color) continue;
     for (TopExp_Explorer it(shell.Current(), TopAbs_FACE); it.More(); it.Next()) {
       out[static_cast<std::size_t>(faces.FindIndex(it.Current())) - 1] = color;
@@ -96,29 +96,29 @@ std::vector<const CadColor*> LabelColors::face_colors(const CadBody& body) const
     const bool was_sewn = body.sewn_from.size() == count;
     const TopoDS_Shape& face =
         was_sewn ? body.sewn_from[i] : faces.FindKey(static_cast<int>(i) + 1);
-    if (const CadColor* own = find(face)) out[i] = own;
+    if (const Appearance* own = find(face)) out[i] = own;
   }
   return out;
 }
 
-CadColor LabelColors::of(const CadBody& body) const {
-  const CadColor* own = find(body.shape);
-  CadColor color = own ? *own : whole_;
+Appearance LabelColors::of(const CadBody& body) const {
+  const Appearance* own = find(body.shape);
+  Appearance color = own ? *own : whole_;
   if (colors_.empty()) return color;
-  const std::vector<const CadColor*> faces = face_colors(body);
-  const auto as_first = [&](const CadColor* one) { return one && *one == *faces.front(); };
+  const std::vector<const Appearance*> faces = face_colors(body);
+  const auto as_first = [&](const Appearance* one) { return one && *one == *faces.front(); };
   return !faces.empty() && std::ranges::all_of(faces, as_first) ? *faces.front() : color;
 }
 
 std::shared_ptr<const std::vector<CadFaces>> LabelColors::faces_of(
-    const std::vector<CadBody>& bodies, const std::vector<CadColor>& colors) const {
+    const std::vector<CadBody>& bodies, const std::vector<Appearance>& colors) const {
   std::vector<CadFaces> out(bodies.size());
-  bool differ = std::ranges::any_of(colors, [&](const CadColor& c) { return c != colors[0]; });
+  bool differ = std::ranges::any_of(colors, [&](const Appearance& c) { return c != colors[0]; });
   if (!differ && colors_.empty()) return nullptr;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    for (const CadColor* own : face_colors(bodies[i])) {
-      const bool has_own = own && own->hex != colors[i].hex;
-      out[i].color.push_back(has_own ? own->hex : std::string());
+    for (const Appearance* own : face_colors(bodies[i])) {
+      const bool has_own = own && *own != colors[i];
+      out[i].color.push_back(has_own ? *own : Appearance{});
       differ = differ || has_own;
     }
   }

@@ -22,27 +22,27 @@ class LabelColors {
 
   /// The one that all faces of the body share, else that of the body itself, else of what contains
   /// it; without one, none.
-  CadColor of(const CadBody& body) const;
+  Appearance of(const CadBody& body) const;
   /// The colours of the faces of bodies, each where it is not that of its body; none where the
   /// bodies have one colour and no face has another. Areas by OCCT: 0.1 ms a face.
   std::shared_ptr<const std::vector<CadFaces>> faces_of(const std::vector<CadBody>& bodies,
-                                                        const std::vector<CadColor>& colors) const;
+                                                        const std::vector<Appearance>& colors) const;
 
  private:
   void add(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
-  const CadColor* find(const TopoDS_Shape& shape) const;
+  const Appearance* find(const TopoDS_Shape& shape) const;
   /// Of each face of a body, in the order of TopExp::MapShapes; null: it has none of its own.
-  std::vector<const CadColor*> face_colors(const CadBody& body) const;
+  std::vector<const Appearance*> face_colors(const CadBody& body) const;
 
-  CadColor whole_;
+  Appearance whole_;
   TopTools_DataMapOfShapeInteger index_;
-  std::vector<CadColor> colors_;
+  std::vector<Appearance> colors_;
 };
 
 /// Of the faces of a shape, in the order of TopExp::MapShapes; 0 where OCCT cannot tell.
 std::vector<double> face_areas(const TopoDS_Shape& shape);
 
 /// The colour that the label itself has, or none.
-CadColor label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
+Appearance label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
 
 }  // namespace burin

@@ -153,38 +153,57 @@ CadPart make_part(std::vector<CadBody> bodies, const std::string& name) {
   return part;
 }
 
-CadColor CadPart::color() const {
-  const auto same = [&](const CadColor& color) { return color == colors.front(); };
-  return std::ranges::all_of(colors, same) ? colors.front() : CadColor{};
+Appearance CadPart::color() const {
+  const auto same = [&](const Appearance& color) { return color == colors.front(); };
+  return std::ranges::all_of(colors, same) ? colors.front() : Appearance{};
 }
 
-PaintedFaces CadPart::painted(const std::vector<std::size_t>& of) const {
-  std::vector<std::string> color;
+namespace {
+
+/// `whole`: the opacity of what has the faces.
+CadPaint paint_of(const std::vector<std::string>& color, const std::vector<double>& area,
+                  double whole) {
+  PaintedFaces painted = painted_faces(color, area);
+  CadPaint out{look_of(painted.color), std::move(painted.faces)};
+  if (out.look.opacity >= 1) out.look.opacity = whole;
+  return out;
+}
+
+}  // namespace
+
+CadPaint CadPart::painted(const std::vector<std::size_t>& of) const {
+  const Appearance whole = color();
+  if (!faces) return {whole, {}};
+  std::vector<std::string> texts;
   std::vector<double> area;
   for (const std::size_t i : of) {
     const CadFaces& one = (*faces)[i];
-    for (const std::string& own : one.color) color.push_back(own.empty() ? colors[i].hex : own);
+    for (const Appearance& own : one.color) {
+      texts.push_back(color_text(own.color.empty() ? colors[i] : own, whole.opacity));
+    }
     area.insert(area.end(), one.area.begin(), one.area.end());
   }
-  return painted_faces(color, area);
+  return paint_of(texts, area, whole.opacity);
 }
 
-PaintedFaces CadPart::painted(const std::vector<std::size_t>& of, std::size_t only) const {
+CadPaint CadPart::painted(const std::vector<std::size_t>& of, std::size_t only) const {
+  const Appearance& whole = colors[of[only]];
+  if (!faces) return {whole, {}};
   const CadFaces& own = (*faces)[of[only]];
-  const auto as_first = [&](const std::string& one) { return one == own.color.front(); };
-  if (own.color.empty() || std::ranges::all_of(own.color, as_first)) {
-    const bool none = own.color.empty() || own.color.front().empty();
-    return {none ? colors[of[only]].hex : own.color.front(), {}};
+  const auto as_first = [&](const Appearance& one) { return one == own.color.front(); };
+  if (std::ranges::all_of(own.color, as_first)) {
+    const bool none = own.color.empty() || own.color.front().color.empty();
+    return {none ? whole : own.color.front(), {}};
   }
   std::size_t before = 0;
   for (std::size_t i = 0; i < only; ++i) before += (*faces)[of[i]].color.size();
-  std::vector<std::string> color(before);
+  std::vector<std::string> texts(before);
   std::vector<double> area(before, 0);
-  for (const std::string& one : own.color) {
-    color.push_back(one.empty() ? colors[of[only]].hex : one);
+  for (const Appearance& one : own.color) {
+    texts.push_back(color_text(one.color.empty() ? whole : one, whole.opacity));
   }
   area.insert(area.end(), own.area.begin(), own.area.end());
-  return painted_faces(color, area);
+  return paint_of(texts, area, whole.opacity);
 }
 
 void make_names_unique(std::vector<CadPart>& parts) {

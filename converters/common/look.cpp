@@ -39,6 +39,12 @@ Appearance look_of(const std::string& color) {
   return known ? look_of(*known) : Appearance{color};
 }
 
+std::string color_text(const Appearance& look, double of_part) {
+  const std::uint8_t opacity = channel(look.opacity);
+  if (look.color.empty() || opacity == 255 || look.opacity == of_part) return look.color;
+  return look.color + fmt::format("{:02x}", opacity);
+}
+
 std::uint8_t channel(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * (share > 0 ? std::min(share, 1.0) : 0.0)));
 }
@@ -80,10 +86,8 @@ std::shared_ptr<const FaceColors> FaceLooks::colors() const {
       place.push_back(-1);
       continue;
     }
-    std::string text = look_of(*look).color;
-    if ((*look)[3] < 255) text += fmt::format("{:02x}", (*look)[3]);
-    const auto [at, is_new] =
-        places.try_emplace(std::move(text), static_cast<std::int32_t>(out.colors.size()));
+    const auto [at, is_new] = places.try_emplace(color_text(look_of(*look)),
+                                                 static_cast<std::int32_t>(out.colors.size()));
     if (is_new) out.colors.push_back(at->first);
     place.push_back(at->second);
   }

@@ -70,6 +70,9 @@ class FaceLooks {
 
 /// What a part looks like by a colour of `FaceColors`, such as that of most of its faces.
 Appearance look_of(const std::string& color);
+/// The same the other way: glass has its opacity in the text, but for the opacity `of_part`, which
+/// its part has.
+std::string color_text(const Appearance& look, double of_part = 1);
 
 /// The colour that most corners of a face have, the first of them that is so.
 std::optional<Rgba> color_of_corners(std::span<const std::optional<Rgba>> corners);

@@ -29,7 +29,7 @@ struct FcLook {
   std::string color;
   /// 1 hides what is behind, 0 is not seen at all.
   double opacity = 1;
-  /// Of each face, where they differ.
+  /// Of each face, where they differ; of glass with its opacity, where that is not the part's.
   std::shared_ptr<const std::vector<std::string>> faces = {};
 };
 

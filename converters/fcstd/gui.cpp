@@ -1,6 +1,7 @@
 #include "gui.h"
 
 #include "binary.h"
+#include "look.h"
 
 #include <fmt/format.h>
 
@@ -31,19 +32,24 @@ std::string packed_color(const pugi::xml_node& node, const char* attribute) {
 class CommonLook {
  public:
   void add(std::uint32_t packed, double transparency) {
-    colors_.push_back(hex(packed));
-    opacity_ = std::max(opacity_, opacity_of(transparency));
+    looks_.push_back({hex(packed), opacity_of(transparency)});
+    opacity_ = std::max(opacity_, looks_.back().opacity);
   }
-  bool empty() const { return colors_.empty(); }
-  FcLook look() && {
+  bool empty() const { return looks_.empty(); }
+  FcLook look() const {
     if (empty()) return {};
-    const auto as_first = [&](const std::string& one) { return one == colors_.front(); };
-    if (std::ranges::all_of(colors_, as_first)) return {colors_.front(), opacity_};
-    return {{}, opacity_, std::make_shared<const std::vector<std::string>>(std::move(colors_))};
+    const auto as_first = [&](const Appearance& one) { return one == looks_.front(); };
+    if (std::ranges::all_of(looks_, as_first)) return {looks_.front().color, opacity_};
+    std::vector<std::string> texts;
+    for (const Appearance& one : looks_) texts.push_back(color_text(one, opacity_));
+    const bool one_color = std::ranges::all_of(
+        looks_, [&](const Appearance& one) { return one.color == looks_.front().color; });
+    return {one_color ? looks_.front().color : std::string(), opacity_,
+            std::make_shared<const std::vector<std::string>>(std::move(texts))};
   }
 
  private:
-  std::vector<std::string> colors_;
+  std::vector<Appearance> looks_;
   double opacity_ = 0;
 };
 
@@ -109,7 +115,7 @@ void apply_view(const pugi::xml_node& provider,
   object.look = shape.color.empty() ? material : shape;
   if (!faces.empty()) {
     CommonLook common = look_of_colors(list(faces));
-    if (!common.empty()) object.look = std::move(common).look();
+    if (!common.empty()) object.look = common.look();
   }
   if (!materials.empty()) object.look = look_of_materials(list(materials)).look();
 }

@@ -1,8 +1,8 @@
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
-#include <burin/drawing/color.h>
 
 #include "draw_options.h"
+#include "highlight_option.h"
 #include "named_files.h"
 
 #include <fmt/format.h>
@@ -81,50 +81,6 @@ void set_looks(Draft& draft, const Asked& asked) {
     }
     draft.looks.push_back(
         {.look = {.select = {text.substr(0, equals)}}, .style = text.substr(equals + 1)});
-  }
-}
-
-// The look of all parts but the highlighted ones: thin grey lines, no strokes.
-constexpr const char* kInBackground =
-    R"({"line.color": "#8c8c8c", "line.outer": 0.25, "line.contour": 0.15, "line.crease": 0.12,
-        "line.boundary": 0.15, "line.smooth": 0.09, "line.intersection": 0.12,
-        "fill.color": "#f4f4f4", "fill.ink": "", "fill.legend": false, "tone.steps": "none"})";
-constexpr const char* kHighlight = "orange";
-
-// The look of parts in a colour as it is called; empty: none is. A style that prints in a spot ink
-// has that one for them then. Another colour is an ink of its own, but for greys: those are black.
-std::string highlighted(const FillOptions& fill, const std::string& called) {
-  const std::string color = without_name(called);
-  const bool has_ink = !fill.ink.empty();
-  if (called.empty()) {
-    return fmt::format(R"({{"fill.color": "{}"}})",
-                       has_ink && rgb_of(fill.color) ? fill.color : without_name(kHighlight));
-  }
-  const Rgb rgb = rgb_of(color).value_or(Rgb{});
-  const std::string ink = has_ink && !is_grey(rgb) ? "Highlight " + called : "";
-  return fmt::format(R"({{"fill.color": "{}", "fill.ink": "{}"}})", color, ink);
-}
-
-/// NAME or NAME=COLOUR; a selector may have an equals sign itself: @color=#ff0000.
-void set_highlights(Draft& draft, const Asked& asked) {
-  draft.looks.push_back({.look = {.select = {"*"}, .hatched = false},
-                         .style_text = kInBackground,
-                         .style_source = "highlight"});
-  for (const std::string& text : asked.texts) {
-    const std::size_t equals = text.rfind('=');
-    const bool is_selector =
-        equals == std::string::npos || (text.starts_with('@') && text.find('=') == equals);
-    const std::string called = is_selector ? std::string() : text.substr(equals + 1);
-    if ((!is_selector && !rgb_of(without_name(called))) || equals == 0) {
-      refuse_value(asked.spelled,
-                   fmt::format("NAME or NAME=COLOUR, a colour #rrggbb or {}",
-                               fmt::join(color_names(), ", ")),
-                   text);
-    }
-    draft.looks.push_back(
-        {.look = {.select = {is_selector ? text : text.substr(0, equals)}, .hatched = true},
-         .style_text = highlighted(draft.plan.style.fill, called),
-         .style_source = "highlight"});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "draw_options.h"
 #include "make_plan.h"
 #include "named_files.h"
+#include "style_files.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,19 @@ std::optional<Style> style_of(const LookRequest& look, const Style& whole) {
   } catch (const UsageError& e) {
     throw UsageError(look.look.place + e.what());
   }
+}
+
+/// A part that is to be painted opaque is not of glass, whatever its file says of it, and has the
+/// strokes of its style.
+void leave_glass(const LookRequest& asked, Look& look) {
+  if (look.transparent) return;
+  const std::string text = !asked.style_text.empty() ? asked.style_text
+                           : asked.style.empty()
+                               ? std::string()
+                               : detail::text_of_style(asked.style).value_or(std::string());
+  if (text.empty() || !detail::is_said_opaque(text)) return;
+  look.transparent = false;
+  look.hatched = look.hatched.value_or(true);
 }
 
 /// Lights are those of the scene: whatever style a part has, they shine on it.
@@ -162,6 +176,7 @@ Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& pla
   Look look = asked.look;
   look.style = style_of(asked, plan.style);
   if (!look.style) return look;
+  leave_glass(asked, look);
   read_images(*look.style, plan.illustrate.images);
   light_by(request, *look.style);
   return look;

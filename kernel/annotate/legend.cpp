@@ -2,9 +2,11 @@
 
 #include <burin/drawing/font.h>
 
+#include "fitted_names.h"
 #include "frame_path.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,11 @@ void lay_legend(const LegendPlan& plan, const Annotations& annotations, const Ca
                 Drawing& drawing) {
   const double h = style.list_height;
   Layer layer{"legend", {}};
+  std::vector<std::string> names;
+  for (const LegendRow& row : annotations.legend) {
+    if (row.seen) names.push_back(row.name);
+  }
+  names = fitted_names(names, h, plan.block - plan.square - 2 * h + kRounding);
   std::size_t i = 0;
   for (const LegendRow& row : annotations.legend) {
     if (!row.seen) continue;
@@ -65,13 +72,8 @@ void lay_legend(const LegendPlan& plan, const Annotations& annotations, const Ca
     square.rings = {border.points};
     drawing.areas.push_back(std::move(square));
     layer.paths.push_back(std::move(border));
-    const double x = high.x + 0.8 * h, most = plan.block - plan.square - 2 * h;
-    layer.texts.push_back({{x, middle - 0.5 * h},
-                           h,
-                           TextAnchor::Start,
-                           fitted_text(row.name, h, most + kRounding),
-                           "legend",
-                           row.item});
+    layer.texts.push_back(
+        {{high.x + 0.8 * h, middle - 0.5 * h}, h, TextAnchor::Start, names[i], "legend", row.item});
     ++i;
   }
   drawing.layers.push_back(std::move(layer));

@@ -3,12 +3,14 @@
 #include <burin/annotate/list_pages.h>
 #include <burin/drawing/font.h>
 
+#include "fitted_names.h"
 #include "frame_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace burin::detail {
 namespace {
@@ -53,6 +55,9 @@ Layer list_layer(std::span<const DrawingItem> items, const CalloutOptions& style
   const auto write = [&](const std::string& text, double x, double y, TextAnchor anchor, int item) {
     layer.texts.push_back({{x, y + 0.5 * (plan.row - h)}, h, anchor, text, "parts_list", item});
   };
+  std::vector<std::string> names;
+  for (const DrawingItem& item : items) names.push_back(item.name);
+  names = fitted_names(names, h, plan.name - 2 * inset + kRounding);
   for (std::size_t block = 0; block < plan.blocks; ++block) {
     const std::size_t first = block * plan.rows;
     const std::size_t rows = std::min(plan.rows, items.size() - std::min(first, items.size()));
@@ -74,8 +79,7 @@ Layer list_layer(std::span<const DrawingItem> items, const CalloutOptions& style
       const double y = bottom_of(i + 1);
       write(std::to_string(item.number), x1 - inset, y, TextAnchor::End, item.number);
       write(std::to_string(item.quantity()), x2 - inset, y, TextAnchor::End, item.number);
-      const std::string name = fitted_text(item.name, h, plan.name - 2 * inset + kRounding);
-      write(name, x2 + inset, y, TextAnchor::Start, item.number);
+      write(names[first + i], x2 + inset, y, TextAnchor::Start, item.number);
       const double between = plan.downwards ? y + plan.row : y;
       layer.paths.push_back(line({left, between}, {right, between}, i == 0 ? thick : style.line));
     }

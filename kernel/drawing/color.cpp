@@ -94,20 +94,57 @@ Rgb with_lightness(const Rgb& color, double share) {
   return out;
 }
 
-Rgb readable(const Rgb& color, const Rgb& ink) {
-  constexpr double kContrast = 3, kStray = 0.05;  // the share of light that any surface gives back
-  const auto light = [](const Rgb& c) {
-    return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]) + kStray;
-  };
-  const double is = light(color), other = light(ink), wanted = kContrast * other;
-  const bool seen = is >= wanted || other >= kContrast * is;
-  if (seen || wanted > 1 + kStray) return color;
-  const double white = (wanted - is) / (1 + kStray - is);
+namespace {
+
+constexpr double kStray = 0.05;    // the share of light that any surface gives back
+constexpr double kNearest = 0.86;  // share of lightness at which two flat tones are told apart
+constexpr double kPale = 0.5;      // light beyond which colours are hardly told apart
+
+double light_of(const Rgb& c) {
+  return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+}
+
+/// Mixed with white until it has that much light, if any colour has.
+Rgb lightened(const Rgb& color, double light) {
+  const double is = light_of(color), wanted = std::min(light, 1.0);
+  if (is >= wanted) return color;
+  const double white = (wanted - is) / (1 - is);
   Rgb out{};
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double own = linear(color[i]);
     out[i] = byte_of(own + white * (1 - own));
   }
+  return out;
+}
+
+/// The least light beside lines of a dark ink, and the most beside those of a light one.
+double least_light(const Rgb& ink) { return kLeastContrast * (light_of(ink) + kStray) - kStray; }
+double most_light(const Rgb& ink) { return (light_of(ink) + kStray) / kLeastContrast - kStray; }
+
+}  // namespace
+
+double contrast(const Rgb& a, const Rgb& b) {
+  const auto [low, high] = std::minmax({light_of(a) + kStray, light_of(b) + kStray});
+  return high / low;
+}
+
+double readable_darkest(const Tones& tones, const Rgb& ink) {
+  const double is = light_of(tones.light), least = least_light(ink);
+  const bool seen = is <= most_light(ink) || is * std::pow(tones.darkest, 3) >= least;
+  if (seen || least > 1) return tones.darkest;
+  return std::max(tones.darkest, std::min(std::cbrt(least / is), kNearest));
+}
+
+Tones readable(const Tones& tones, const Rgb& ink) {
+  const double is = light_of(tones.light), least = least_light(ink), most = most_light(ink);
+  if (is <= most) return tones;
+  if (least > 1) return {with_lightness(tones.light, std::cbrt(most / is)), tones.darkest};
+  Tones out = tones;
+  if (is * std::pow(tones.darkest, 3) < least) {
+    const double wanted = least / std::pow(std::max(tones.darkest, kNearest), 3);
+    out.light = lightened(tones.light, std::min(wanted, std::max(least, kPale)));
+  }
+  out.darkest = readable_darkest(out, ink);
   return out;
 }
 

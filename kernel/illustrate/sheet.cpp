@@ -94,7 +94,7 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
     all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
   }
   if (options.annotations) {
-    lay_tables(*all, with_seen_rows(scene, style, options, all->areas), style.callout);
+    lay_tables(*all, with_seen_rows(scene, style, options, *all), style.callout);
     detail::hatch_areas(scene, {scene, style, options}, "legend", *all, context);
   }
   return *std::move(all);

@@ -6,30 +6,36 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
 
-/// The sheet with room for those rows of the legend alone that a drawing shows, where that is
-/// another: a sheet as large as the drawing has no room for more, and what had no room for all rows
-/// may have it for some.
-std::optional<Illustration> with_legend_as_seen(const Scene& scene, const SheetOfViews& sheet,
-                                                const Illustration& illustration,
-                                                const Drawing& drawing) {
+/// Whether a sheet may be another with room for those rows of the legend alone that a drawing
+/// shows: one as large as the drawing has no room for more, and what had no room for all rows may
+/// have it for some.
+bool is_laid_out_by_rows(const SheetOfViews& sheet, const Illustration& illustration) {
   const std::optional<Annotations>& over = illustration.illustrate.annotations;
-  if (!over || over->legend.empty()) return std::nullopt;
-  const Paper paper = sheet.camera().paper();
-  if (!illustration.sheet.fits &&
-      legend_box(*over, illustration.style.callout, paper).has_value()) {
-    return std::nullopt;
-  }
-  Annotations seen =
-      with_seen_rows(scene, illustration.style, illustration.illustrate, drawing.areas);
-  if (std::erase_if(seen.legend, [](const LegendRow& row) { return !row.seen; }) == 0)
-    return std::nullopt;
-  Illustration out = illustration;
-  out.illustrate.annotations = std::move(seen);
-  return out;
+  if (!over || over->legend.empty()) return false;
+  return illustration.sheet.fits ||
+         !legend_box(*over, illustration.style.callout, sheet.camera().paper());
+}
+
+/// The rows that are seen in a drawing, or were so before.
+std::vector<bool> seen_rows(const Scene& scene, const Illustration& illustration,
+                            const Drawing& drawing, std::vector<bool> before) {
+  const Annotations told =
+      with_seen_rows(scene, illustration.style, illustration.illustrate, drawing);
+  before.resize(told.legend.size(), false);
+  for (std::size_t i = 0; i < before.size(); ++i) before[i] = before[i] || told.legend[i].seen;
+  return before;
+}
+
+Illustration with_rows(Illustration illustration, const std::vector<bool>& wanted) {
+  std::size_t i = 0;
+  std::erase_if(illustration.illustrate.annotations->legend,
+                [&](const LegendRow&) { return !wanted[i++]; });
+  return illustration;
 }
 
 }  // namespace
@@ -38,10 +44,18 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Illustra
                    RunContext& context, Session* session) {
   Drawing drawing =
       illustrate(scene, sheet, illustration.style, illustration.illustrate, context, session);
-  if (const auto seen = with_legend_as_seen(scene, sheet, illustration, drawing)) {
-    Scene again = scene;
-    const SheetOfViews fitted = plan_sheet(again, *seen);
-    drawing = illustrate(scene, fitted, seen->style, seen->illustrate, context, session);
+  if (is_laid_out_by_rows(sheet, illustration)) {
+    // At another scale a colour may be seen that was not: rows are added until none is missing.
+    std::vector<bool> laid(illustration.illustrate.annotations->legend.size(), true);
+    std::vector<bool> wanted = seen_rows(scene, illustration, drawing, {});
+    while (wanted != laid) {
+      laid = wanted;
+      const Illustration seen = with_rows(illustration, laid);
+      Scene again = scene;
+      const SheetOfViews fitted = plan_sheet(again, seen);
+      drawing = illustrate(scene, fitted, seen.style, seen.illustrate, context, session);
+      wanted = seen_rows(scene, illustration, drawing, laid);
+    }
   }
   drawing.title = illustration.title;
   detail::report_mostly_empty(illustration, drawing);

@@ -72,6 +72,9 @@ double light_of(const FillOptions& fill, std::int32_t tone) {
   return std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));
 }
 
+/// Whether parts and faces have the colours of the input, rather than one that was named.
+bool is_own(const FillOptions& fill) { return fill.color == "part" && fill.ink.empty(); }
+
 /// That faces which are coloured otherwise than their part are printed as the part is.
 void tell_of_faces(const Fills& fills, const PartStyles& part_styles, Drawing& drawing) {
   std::map<std::string, std::set<std::int32_t>> inks;
@@ -88,6 +91,35 @@ void tell_of_faces(const Fills& fills, const PartStyles& part_styles, Drawing& d
                     "cannot show: they are tints of it like the rest of their part",
                     parts.size(), parts.size() == 1 ? " has" : "s have", ink));
   }
+}
+
+/// That lines are hardly seen on colours that were named, and so stay as they are, or through which
+/// the paper is seen.
+void tell_of_contrast(const Scene& scene, const Fills& fills, const PartStyles& part_styles,
+                      Drawing& drawing) {
+  constexpr double kHidden = 2;  // contrast under which lines can hardly be seen
+  const Rgb paper = rgb_of(part_styles.styles().front()->sheet.paper).value_or(kWhite);
+  std::map<std::int32_t, std::pair<double, std::string>> worst;
+  for (const Area& area : drawing.areas) {
+    const auto part = static_cast<std::size_t>(area.part);
+    const auto rgb = rgb_of(area.fill);
+    const bool readable = is_own(part_styles.style(part).fill) && area.opacity >= 1;
+    if (!rgb || part_styles.transparent(part) || readable) continue;
+    const double is = contrast(over(*rgb, area.opacity, paper), fills.ink_of(part));
+    if (is >= kHidden) continue;
+    const auto [at, fresh] = worst.try_emplace(area.part, is, area.fill);
+    if (is < at->second.first) at->second = {is, area.fill};
+  }
+  if (worst.empty()) return;
+  const auto& [first, found] = *worst.begin();
+  const auto part = static_cast<std::size_t>(first);
+  drawing.diagnostics.add(
+      Severity::Warning, "fill.low_contrast", static_cast<std::int64_t>(worst.size()),
+      fmt::format("lines can hardly be seen on {} part{}, such as '{}': {} on {} has a contrast of "
+                  "{:.1f}; choose another line.color or fill.color{}",
+                  worst.size(), worst.size() == 1 ? "" : "s", scene.parts[part].name,
+                  to_text(fills.ink_of(part)), found.second, found.first,
+                  part_styles.style(part).fill.steps > 1 ? ", or a larger tone.darkest" : ""));
 }
 
 /// The colours of all inks that areas are printed in, those of one ink once.
@@ -138,7 +170,8 @@ std::string Fills::color(const Area& area) const {
     set_face_color(one, painted);
     std::string base = painted.fill;
     paint(painted);
-    if (painted.fill == area.fill) return base;
+    // What is hatched alone has the colour of its lines.
+    if ((area.opacity > 0 ? painted.fill : lit(part, base)) == area.fill) return base;
   }
   return color(part);
 }
@@ -156,23 +189,38 @@ void Fills::paint(Area& area) const {
   const auto part = static_cast<std::size_t>(area.part);
   const FillOptions& fill = part_styles_.style(part).fill;
   // That of faces which are coloured otherwise than their part is known by now. An ink has one.
-  const bool own = fill.color == "part" && fill.ink.empty();
-  if (!own || area.fill.empty()) area.fill = color(part);
-  auto rgb = rgb_of(area.fill);
+  if (!is_own(fill) || area.fill.empty()) area.fill = color(part);
+  const auto rgb = rgb_of(area.fill);
   if (!rgb || fill.opacity <= 0) {
     area.fill.clear();
     return;
   }
-  if (own) area.fill = to_text(*(rgb = readable(*rgb, ink_of(part))));
+  const Tones tones = tones_of(part, *rgb);
   const double light = light_of(fill, area.tone);
   area.opacity = opacity_of(scene_.parts[part], area.opacity, fill, part_styles_.transparent(part));
   if (!fill.ink.empty()) {
     area.ink = fill.ink;
-    area.tint = 1 - light * (1 - fill.tint);
+    // Glass has no tones: it has the mean of them, or it would hardly be seen.
+    const double tone = fill.steps > 1 && part_styles_.transparent(part) ? 0.5 : light;
+    area.tint = 1 - tone * (1 - fill.tint);
     area.fill = to_text(over(*rgb, area.tint, paper_));
-  } else if (light < 1) {
-    area.fill = to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
+  } else {
+    const double share = tones.darkest + (1 - tones.darkest) * light;
+    area.fill = to_text(light < 1 ? with_lightness(tones.light, share) : tones.light);
   }
+}
+
+std::string Fills::lit(std::size_t part, const std::string& color) const {
+  const auto rgb = rgb_of(color);
+  return rgb ? to_text(tones_of(part, *rgb).light) : color;
+}
+
+Tones Fills::tones_of(std::size_t part, const Rgb& color) const {
+  const FillOptions& fill = part_styles_.style(part).fill;
+  // Where shadows are cast all parts have a dark tone.
+  const bool toned = fill.steps > 1 || part_styles_.styles().front()->shadow.cast;
+  const Tones tones{color, toned ? fill.darkest : 1};
+  return is_own(fill) ? readable(tones, ink_of(part)) : tones;
 }
 
 Rgb Fills::ink_of(std::size_t part) const {
@@ -210,6 +258,7 @@ void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& dra
   std::vector<Area>& areas = drawing.areas;
   tell_of_faces(fills, part_styles, drawing);
   for (Area& area : areas) fills.paint(area);
+  tell_of_contrast(scene, fills, part_styles, drawing);
   collect_inks(fills, drawing);
   // Glass comes first, the foremost before what is seen through it; it is painted last.
   const auto is_glass = [&](const Area& area) {

@@ -27,16 +27,19 @@ class Fills {
   /// yet, or a square of the legend.
   std::string color(const Area& area) const;
   /// Gives an area the colour of its part and tone, and its opacity: in a part that is looked
-  /// through that of a face of glass is its own. Colours of the input are lighter where they would
-  /// hide the lines.
+  /// through that of a face of glass is its own. Lines are seen on the tones of colours of the
+  /// input (`readable`).
   void paint(Area& area) const;
+  /// What `paint` makes of a colour of a part in full light, but for inks and opacity.
+  std::string lit(std::size_t part, const std::string& color) const;
+  /// The colour of a part's lines.
+  Rgb ink_of(std::size_t part) const;
   /// All colours that a part and its faces may have in full light, before inks, as `FaceColors` has
   /// them; its own first.
   std::vector<std::string> colors(std::size_t part) const;
 
  private:
-  /// The colour of a part's lines.
-  Rgb ink_of(std::size_t part) const;
+  Tones tones_of(std::size_t part, const Rgb& color) const;
 
   const Scene& scene_;
   const PartStyles& part_styles_;
@@ -58,8 +61,8 @@ bool nests(const FillOptions& fill);
 bool paints(const PartStyles& part_styles);
 
 /// Gives the areas of a drawing their colours and inks, and brings them into the order of painting:
-/// what can be looked through over what is behind it. Tells of an ink that has several colours, or
-/// stands for faces that have colours of their own.
+/// what can be looked through over what is behind it. Tells of named colours that hide the lines,
+/// and of an ink that has several colours, or stands for faces that have colours of their own.
 void paint_areas(const Scene& scene, const PartStyles& part_styles, Drawing& drawing);
 
 /// Gives the shade of parts without a colour the colour of shadows.

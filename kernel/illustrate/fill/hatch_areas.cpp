@@ -3,8 +3,6 @@
 #include <burin/drawing/hatch_rings.h>
 #include <burin/drawing/ink.h>
 
-#include "fills.h"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -103,12 +101,14 @@ bool are_in_spot_ink(const Style& style) {
   return style.fill.hatch.color == "fill" && !style.fill.ink.empty();
 }
 
-/// Empty where it is that of the sheet's ink.
-std::string line_color(const Style& style, const std::string& fill, const std::string& ink) {
-  const std::string& own = style.fill.hatch.color;
-  const std::string& color = own == "fill" ? fill : own.empty() ? style.line.color : own;
-  if (are_in_spot_ink(style)) return color;
-  return color == ink ? std::string() : color;
+/// Squares of a legend that stand for lines alone.
+void clear_squares(std::string_view role, std::vector<Area>& areas) {
+  for (Area& area : areas) {
+    if (role != "legend" || area.role != role || area.opacity > 0) continue;
+    area.fill.clear();
+    area.opacity = 1;
+    area.tone = -1;
+  }
 }
 
 }  // namespace
@@ -119,6 +119,18 @@ bool hatches(const PartStyles& part_styles) {
     if (part_styles.drawn(i) && any) return true;
   }
   return false;
+}
+
+std::string hatch_color(const Fills& fills, const PartStyles& part_styles, std::size_t part,
+                        const std::string& color) {
+  const Style& style = part_styles.style(part);
+  const FillHatch& hatch = style.fill.hatch;
+  if (hatch.lines == FillHatch::Lines::None || part_styles.transparent(part)) return {};
+  if (are_in_spot_ink(style)) return fills.color(part);  // an ink shows no colours of faces
+  const std::string own = hatch.color == "fill" ? fills.lit(part, color)
+                          : hatch.color.empty() ? style.line.color
+                                                : hatch.color;
+  return own == part_styles.styles().front()->sheet.ink ? std::string() : own;
 }
 
 void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_view role,
@@ -148,14 +160,13 @@ void hatch_areas(const Scene& scene, const PartStyles& part_styles, std::string_
     }
     for (const auto& [color, group] : groups) {
       context.check();
-      // An ink shows no colours of faces.
-      const std::string& filled = are_in_spot_ink(style) ? own : color;
-      Hatcher(style, line_color(style, filled, drawing.ink_color), color == own ? over : Rings())
+      Hatcher(style, hatch_color(fills, part_styles, part, color), color == own ? over : Rings())
           .add(group, layer);
     }
     if (layer.paths.size() > before && are_in_spot_ink(style))
       add_ink(style.fill.ink, own, drawing);
   }
+  clear_squares(role, drawing.areas);
   if (layer.paths.empty()) return;
   const auto known = std::ranges::find(drawing.layers, layer.name, &Layer::name);
   if (known == drawing.layers.end()) {

@@ -1,6 +1,7 @@
 #include <burin/illustrate/legend.h>
 
 #include "fills.h"
+#include "hatch_areas.h"
 
 #include <algorithm>
 #include <map>
@@ -59,7 +60,16 @@ class Shades {
     const FillOptions& fill = part_styles_.style(part).fill;
     Area out = painted(part, color, !fill.ink.empty() && fill.steps > 1 ? 0 : -1);
     out.tone = -1;
-    return out;
+    return out.fill.empty() ? hatched(std::move(out), color) : out;
+  }
+  /// Of lines alone, all that the darkest tone has.
+  Area hatched(Area square, const std::string& color) const {
+    const auto part = static_cast<std::size_t>(square.part);
+    detail::set_face_color(color, square);
+    square.fill = detail::hatch_color(fills_, part_styles_, part, square.fill);
+    square.opacity = 0;
+    square.tone = 0;
+    return square;
   }
   Area painted(std::size_t part, const std::string& color, int tone) const {
     Area area{.part = static_cast<std::int32_t>(part), .tone = tone, .rings = {}};
@@ -74,19 +84,28 @@ class Shades {
   bool ground_;
 };
 
-/// Whether any area is one that a row stands for.
+/// Whether any area, or its hatching, is one that a row stands for.
 bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
-             std::span<const Area> areas) {
+             const Drawing& drawing) {
   std::set<std::int32_t> parts;
   for (const DrawingItem& item : items) {
-    if (item.name == row.name) parts.insert(item.parts.begin(), item.parts.end());
+    if (item.name != row.name) continue;
+    for (const std::int32_t part : item.parts) {
+      if (shades.lists(static_cast<std::size_t>(part))) parts.insert(part);
+    }
+  }
+  if (row.square.opacity <= 0) {
+    const auto layer = std::ranges::find(drawing.layers, "fill-hatch", &Layer::name);
+    return layer != drawing.layers.end() &&
+           std::ranges::any_of(layer->paths, [&](const Path& line) {
+             return line.color == row.square.fill && parts.contains(line.source.part);
+           });
   }
   std::map<std::int32_t, std::set<std::string>> known;
-  return std::ranges::any_of(areas, [&](const Area& area) {
+  return std::ranges::any_of(drawing.areas, [&](const Area& area) {
     if (!area.role.empty() || area.fill.empty() || !parts.contains(area.part)) return false;
-    const auto part = static_cast<std::size_t>(area.part);
     const auto [at, fresh] = known.try_emplace(area.part);
-    if (fresh && shades.lists(part)) at->second = shades.of(part, row.square);
+    if (fresh) at->second = shades.of(static_cast<std::size_t>(area.part), row.square);
     return at->second.contains(area.fill);
   });
 }
@@ -114,12 +133,12 @@ std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
 }
 
 Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
-                           std::span<const Area> areas) {
+                           const Drawing& drawing) {
   if (!options.annotations) return {};
   Annotations out = *options.annotations;
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
-  for (LegendRow& row : out.legend) row.seen = is_seen(row, out.items, shades, areas);
+  for (LegendRow& row : out.legend) row.seen = is_seen(row, out.items, shades, drawing);
   return out;
 }
 

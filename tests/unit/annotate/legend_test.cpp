@@ -2,11 +2,13 @@
 
 #include <burin/annotate/annotate.h>
 #include <burin/annotate/legend_box.h>
+#include <burin/drawing/font.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -56,6 +58,28 @@ TEST(Legend, HasASquareAndANameARowWithinTheMargin) {
   }
   EXPECT_EQ(layer.texts[1].text, "bolt");
   EXPECT_EQ(layer.texts[1].item, 2);
+}
+
+TEST(Legend, OfLongNamesShowsWhatTellsThemApart) {
+  Annotations over = three_colors();
+  const std::string screw = "Hexagon socket head cap screw with flange, stainless steel A2-70 M";
+  const std::vector<std::string> names = {screw + "8x30 DIN 912", screw + "8x40 DIN 912",
+                                          "Hexagon socket head cap nut of brass, with a collar"};
+  for (std::size_t i = 0; i < 3; ++i) over.legend[i].name = over.items[i].name = names[i];
+  over.parts_list = true;
+  const Drawing drawing = laid(over);
+  for (const Layer& layer : drawing.layers) {
+    std::vector<std::string> texts;
+    for (const Text& text : layer.texts) {
+      if (text.text.starts_with("Hexagon")) texts.push_back(text.text);
+    }
+    ASSERT_EQ(texts.size(), 3u) << layer.name;
+    std::ranges::sort(texts);
+    EXPECT_NE(texts[0].find("...M8x30"), std::string::npos) << texts[0];
+    EXPECT_NE(texts[1].find("...M8x40"), std::string::npos) << texts[1];
+    EXPECT_TRUE(texts[2].starts_with("Hexagon socket head cap nut")) << "cut at its end";
+    for (const std::string& text : texts) EXPECT_LE(text_width(text, 2.5), 24 * 2.5 + 1e-6);
+  }
 }
 
 TEST(Legend, StandsInTheCornerThatIsNamedAndLeavesTheRest) {

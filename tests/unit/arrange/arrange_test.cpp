@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace burin {
@@ -239,6 +240,25 @@ TEST(Arrange, ASheetThatFitsHasRoomForTheRowsOfTheLegendThatAreSeenAlone) {
   };
   EXPECT_EQ(squares(drawing), 1);
   EXPECT_EQ(squares(wanted), 1);
+}
+
+TEST(Arrange, ASheetThatIsLaidOutAgainHasARowForEachColourThatIsSeenThen) {
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.sheet.fits = true;
+  illustration.legend = true;
+  illustration.view.direction = {0, -1, 0};
+  RunContext context;
+  Scene scene = full_case();
+  scene.parts.push_back(part("sliver", {40, 10, 10}, {60, 20, 15.6}));
+  arrange_parts(scene, illustration, context);
+  Illustration small = illustration;
+  small.view.scale = 0.05;  // the sliver is too thin to be seen
+  const Drawing drawing = illustrate(scene, plan_sheet(scene, small), illustration, context);
+  std::set<std::int32_t> areas, rows;
+  for (const Area& area : drawing.areas) (area.role.empty() ? areas : rows).insert(area.part);
+  EXPECT_EQ(areas, (std::set<std::int32_t>{0, 21}));
+  EXPECT_EQ(rows, areas);
 }
 
 /// Whether there is a legend, and no box about its squares and names overlaps that of the parts.

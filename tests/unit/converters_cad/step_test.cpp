@@ -355,6 +355,41 @@ TEST_F(Step, TransparencyIsKept) {
   EXPECT_EQ(scene.parts[1].opacity, 1);
 }
 
+TEST_F(Step, OpacitiesOfFacesAreKept) {
+  const auto painted = [](CadDocument& document, const TDF_Label& part, const Strings& colors,
+                          const std::vector<double>& opacities) {
+    std::size_t i = 0;
+    for (TopExp_Explorer it(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE); it.More(); it.Next()) {
+      if (i < colors.size()) document.color(part, it.Current(), colors[i], opacities[i]);
+      ++i;
+    }
+  };
+  CadDocument document;
+  // A window in the largest face of a solid, all of glass in two ways, a label on glass.
+  painted(document, document.part(test::solid_box(1, 1, 1), "window", "#808080"), {"#c0e0ff"},
+          {0.2});
+  painted(document, document.part(test::solid_box(1, 1, 2), "glass"), Strings(6, "#c0e0ff"),
+          {0.2, 0.4, 0.4, 0.4, 0.4, 0.4});
+  const TDF_Label labelled = document.part(test::solid_box(1, 1, 3), "labelled");
+  document.color(labelled, "#c0e0ff", 0.4);
+  painted(document, labelled, {"#ffffff", "#c0e0ff"}, {1, 0.6});
+  const Scene scene = read(document.step(folder_ / "faces.step"));
+  ASSERT_EQ(scene.parts.size(), 3u);
+  const auto faces = [&](std::size_t part) {
+    return scene.parts[part].face_colors ? scene.parts[part].face_colors->colors : Strings{};
+  };
+  EXPECT_EQ(scene.parts[0].color, "#808080");
+  EXPECT_EQ(scene.parts[0].opacity, 1);
+  EXPECT_EQ(faces(0), Strings{"#c0e0ff33"});
+  EXPECT_EQ(scene.parts[1].color, "#c0e0ff");
+  EXPECT_NEAR(scene.parts[1].opacity, 0.4, 1e-6) << "as most of it";
+  EXPECT_EQ(faces(1), Strings{"#c0e0ff33"});
+  EXPECT_EQ(scene.parts[2].color, "#c0e0ff");
+  EXPECT_NEAR(scene.parts[2].opacity, 0.4, 1e-6) << "as the whole says";
+  EXPECT_EQ(faces(2), (Strings{"#ffffff", "#c0e0ff99"}));
+  EXPECT_NEAR(inspect(folder_ / "faces.step").parts.at(1).opacity, 0.4, 1e-6);
+}
+
 TEST_F(Step, AForeignBoardIsABoardAndFourChips) {
   const std::string file = std::string(BURIN_TEST_DATA) + "/outside/product_of_solids.step";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;

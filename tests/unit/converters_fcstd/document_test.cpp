@@ -98,6 +98,31 @@ TEST_F(FcstdTest, ColorsOfFreecad1ComeFromTheAppearanceOfTheShape) {
   EXPECT_EQ(scene.parts[3].color, "");
 }
 
+TEST_F(FcstdTest, OpacitiesOfFacesAreKept) {
+  Document d;
+  for (const char* name : {"A", "B"}) d.add_shape(name, located_box(kUnit, {}));
+  const auto faces = [](const std::string& member) {
+    return property("DiffuseColor", "<ColorList file=\"" + member + "\"/>");
+  };
+  d.view("A", faces("Window"));
+  d.view("B", faces("Glass"));
+  const std::uint32_t grey = 0x80808000, glass = 0x80c0ff99;
+  d.members.emplace_back("Window", colors({grey, grey, grey, grey, grey, glass}));
+  d.members.emplace_back("Glass", colors({0x80c0ff33, glass, glass, glass, glass, glass}));
+  const Scene scene = read(d);
+  ASSERT_EQ(scene.parts.size(), 2u);
+  const auto faces_of = [&](std::size_t part) {
+    const auto& own = scene.parts[part].face_colors;
+    return own ? own->colors : std::vector<std::string>{};
+  };
+  EXPECT_EQ(scene.parts[0].color, "#808080");
+  EXPECT_EQ(scene.parts[0].opacity, 1);
+  EXPECT_EQ(faces_of(0), std::vector<std::string>{"#80c0ff66"});
+  EXPECT_EQ(scene.parts[1].color, "#80c0ff");
+  EXPECT_EQ(scene.parts[1].opacity, 0.8) << "the least transparent of its faces";
+  EXPECT_EQ(faces_of(1), std::vector<std::string>{"#80c0ff66"});
+}
+
 TEST_F(FcstdTest, TransparencyIsKeptAsOpacity) {
   Document d;
   for (const char* name : {"A", "B", "C", "D", "E"}) d.add_shape(name, located_box(kUnit, {}));
@@ -130,6 +155,7 @@ TEST_F(FcstdTest, TransparencyIsKeptAsOpacity) {
   EXPECT_NEAR(scene.parts[1].opacity, 0.4, 1e-12);
   EXPECT_NEAR(scene.parts[2].opacity, 1 - 128.0 / 255, 1e-12);
   EXPECT_EQ(scene.parts[3].opacity, 1);
+  EXPECT_EQ(scene.parts[3].color, "#123456") << "all two of six faces";
   EXPECT_EQ(scene.parts[4].opacity, 0.5);
   EXPECT_EQ(scene.parts[4].color, "#112233");
   EXPECT_EQ(scene.parts[5].opacity, 0.25);

@@ -302,7 +302,7 @@ std::vector<std::string> seen_colors(const Scene& scene, const Style& style) {
   options.annotations->legend = legend_rows(scene, style, options, items);
   std::vector<std::string> out;
   const Drawing drawing = draw(scene, style);
-  for (const LegendRow& row : with_seen_rows(scene, style, options, drawing.areas).legend) {
+  for (const LegendRow& row : with_seen_rows(scene, style, options, drawing).legend) {
     if (!row.seen) continue;
     EXPECT_EQ(row.name, "plate");
     out.push_back(row.square.fill);

@@ -35,9 +35,26 @@ std::string fault_of_ink(std::string_view name);
 /// `share`: 0 (black) to 1. @cite Ottosson2020
 Rgb with_lightness(const Rgb& color, double share);
 
-/// The colour, lighter where lines of a dark `ink` could not be seen on it: mixed with white until
-/// their contrast is 3 to 1. @cite WCAG21
-Rgb readable(const Rgb& color, const Rgb& ink);
+/// How well two colours are told apart, from 1, not at all, to 21, black and white. @cite WCAG21
+double contrast(const Rgb& a, const Rgb& b);
+
+/// The contrast that areas have to the lines on them, at least.
+constexpr double kLeastContrast = 3;
+
+/// The tones of one colour: in full light, and the lightness of the darkest, as a share of that.
+struct Tones {
+  Rgb light{};
+  double darkest = 1;
+};
+
+/// Tones of the colour on which lines of `ink` are seen, with `kLeastContrast`: where they are dark
+/// the darkest one is lighter, up to a share of 0.86, so that tones are told apart, and then the
+/// colour is mixed with white. Where they are light, so that no colour is light enough beside them,
+/// it is darker. Beside a grey ink dark tones have less contrast, so that colours stay colours.
+Tones readable(const Tones& tones, const Rgb& ink);
+
+/// The same for a colour that must stay as it is: the share of lightness of its darkest tone.
+double readable_darkest(const Tones& tones, const Rgb& ink);
 
 /// The colour that is seen where one of `opacity` (0 to 1) lies over another.
 Rgb over(const Rgb& color, double opacity, const Rgb& below);

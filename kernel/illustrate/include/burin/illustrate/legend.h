@@ -10,16 +10,18 @@
 
 namespace burin {
 
-/// A row for each colour that an item may show: those of parts that are drawn with a flat colour
-/// and whose style has `fill.legend`, and of their faces; items of one name and colour once.
-/// `options`: its `part_styles` count.
+/// A row for each colour that an item may show: those of parts that are drawn with a flat colour,
+/// or hatched in one alone, and whose style has `fill.legend`, and of their faces; items of one
+/// name and colour once. Squares that are hatched alone have the colour of the lines and an opacity
+/// of 0. `options`: its `part_styles` count.
 std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    const IllustrateOptions& options,
                                    std::span<const DrawingItem> items);
 
-/// What `options` lays over a drawing, with the rows of the legend whose colour any of the areas
-/// has, in any tone, told as seen and the others as not. Where there are no annotations, none.
+/// What `options` lays over a drawing, with the rows of the legend whose colour any of its areas
+/// has, in any tone, or its hatching, told as seen and the others as not. Where there are no
+/// annotations, none.
 Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
-                           std::span<const Area> areas);
+                           const Drawing& drawing);
 
 }  // namespace burin

@@ -1,0 +1,85 @@
+#include "highlight_option.h"
+
+#include <burin/base/error.h>
+#include <burin/converters/values.h>
+#include <burin/drawing/color.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kHighlight = "orange";
+
+/// The look of all parts but the highlighted ones: thin grey lines, no strokes, hardly any shade.
+/// Hatching over their colours is as grey, in the tones that have it.
+std::string in_background(const Style& whole) {
+  Json look = {{"line.color", "#8c8c8c"},   {"line.outer", 0.25},      {"line.contour", 0.15},
+               {"line.crease", 0.12},       {"line.boundary", 0.15},   {"line.smooth", 0.09},
+               {"line.intersection", 0.12}, {"fill.color", "#f4f4f4"}, {"fill.ink", ""},
+               {"fill.legend", false},      {"tone.darkest", 0.92}};
+  if (whole.fill.hatch.lines == FillHatch::Lines::None) {
+    look["tone.steps"] = "none";
+  } else {
+    look["fill.hatch_color"] = "";
+  }
+  return look.dump();
+}
+
+/// The look of parts in a colour as it is called; empty: none is. A style that prints in a spot ink
+/// has that one for them then, more of it than elsewhere. Another colour is an ink of its own, but
+/// for greys: those are black. Lines are seen on all tones of a colour.
+std::string highlighted(const Style& whole, const std::string& called) {
+  constexpr double kLeastTint = 0.6;
+  const FillOptions& fill = whole.fill;
+  const bool has_ink = !fill.ink.empty();
+  const bool own_ink = called.empty() && has_ink && rgb_of(fill.color);
+  const std::string color =
+      own_ink ? fill.color : without_name(called.empty() ? kHighlight : called);
+  const Rgb rgb = rgb_of(color).value_or(Rgb{});
+  Json look = {{"fill.color", color}};
+  std::string ink = fill.ink;
+  if (!called.empty()) ink = has_ink && !is_grey(rgb) ? "Highlight " + called : "";
+  look["fill.ink"] = ink;
+  if (!ink.empty()) {
+    look["fill.tint"] = std::max(fill.tint, kLeastTint);
+  } else {
+    const std::string& lines = whole.line.color.empty() ? whole.sheet.ink : whole.line.color;
+    look["tone.darkest"] = readable_darkest({rgb, fill.darkest}, rgb_of(lines).value_or(Rgb{}));
+  }
+  return look.dump();
+}
+
+}  // namespace
+
+// A selector may have an equals sign itself: @color=#ff0000.
+void set_highlights(Draft& draft, const Asked& asked) {
+  const Style& whole = draft.plan.style;
+  draft.looks.push_back({.look = {.select = {"*"}, .hatched = false},
+                         .style_text = in_background(whole),
+                         .style_source = "highlight"});
+  for (const std::string& text : asked.texts) {
+    const std::size_t equals = text.rfind('=');
+    const bool is_selector =
+        equals == std::string::npos || (text.starts_with('@') && text.find('=') == equals);
+    const std::string called = is_selector ? std::string() : text.substr(equals + 1);
+    if ((!is_selector && !rgb_of(without_name(called))) || equals == 0) {
+      refuse_value(asked.spelled,
+                   fmt::format("NAME or NAME=COLOUR, a colour #rrggbb or {}",
+                               fmt::join(color_names(), ", ")),
+                   text);
+    }
+    draft.looks.push_back(
+        {.look = {.select = {is_selector ? text : text.substr(0, equals)}, .hatched = true},
+         .style_text = highlighted(whole, called),
+         .style_source = "highlight"});
+  }
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,137 @@
+// Colours of parts, highlights and legends, from the command line.
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::json;
+
+class Colours : public test::CliTest {
+ protected:
+  void SetUp() override {
+    test::CliTest::SetUp();
+    folder_.write("rack.scad",
+                  "module glass() color(\"#4080c0\", 0.3) cube([40, 30, 20]);\n"
+                  "module core() color(\"#c04040\") translate([5, 5, 2]) cube([30, 20, 16]);\n"
+                  "module side() color(\"#202020\") translate([60, 0, 0]) cube([20, 30, 20]);\n"
+                  "glass(); core(); side();\n");
+  }
+
+  /// Draws the rack; words of a line split at blanks.
+  Json drawn(const std::string& options) {
+    EXPECT_EQ(run("draw @/rack.scad -o @/a.json " + options), 0) << err_;
+    return Json::parse(test::slurp(folder_ / "a.json"));
+  }
+
+  /// By the names of parts.
+  static std::map<std::string, std::set<std::string>> fills(const Json& drawing) {
+    std::map<std::string, std::set<std::string>> out;
+    for (const Json& area : drawing.at("areas")) {
+      const int part = area.at("part");
+      if (part >= 0 && area.contains("fill")) {
+        out[drawing.at("parts").at(part).at("name")].insert(area.at("fill"));
+      }
+    }
+    return out;
+  }
+
+  /// Lines of hatching: their colours by the names of parts, "" that of the drawing.
+  static std::map<std::string, std::set<std::string>> hatches(const Json& drawing) {
+    std::map<std::string, std::set<std::string>> out;
+    for (const Json& layer : drawing.at("layers")) {
+      if (layer.at("name") != "fill-hatch") continue;
+      for (const Json& path : layer.at("paths")) {
+        out[drawing.at("parts").at(path.at("part").get<std::size_t>()).at("name")].insert(
+            path.value("color", ""));
+      }
+    }
+    return out;
+  }
+};
+
+using Strings = std::set<std::string>;
+
+TEST_F(Colours, HighlightsLeaveTheOthersTheirHatchingInGrey) {
+  const std::string hatch = "--style outline --hide glass --set fill.hatch=lines ";
+  EXPECT_EQ(hatches(drawn(hatch + "--highlight core")),
+            (std::map<std::string, Strings>{{"core", {""}}, {"side", {"#8c8c8c"}}}));
+  // In the colour of the part: orange there, and not that of the pale others, on which it is not
+  // seen.
+  EXPECT_EQ(hatches(drawn(hatch + "--set fill.hatch_color=fill --highlight core")),
+            (std::map<std::string, Strings>{{"core", {"#f28e2b"}}, {"side", {"#8c8c8c"}}}));
+  // In the shade alone, of the others too.
+  const auto lines = [&](const std::string& options) {
+    std::size_t sum = 0;
+    const Json drawing = drawn(options);
+    for (const Json& layer : drawing.at("layers")) {
+      if (layer.at("name") == "fill-hatch") sum += layer.at("paths").size();
+    }
+    return sum;
+  };
+  const std::string toned = hatch + "--set tone.steps=3 ";
+  EXPECT_EQ(lines(toned + "--highlight core"), lines(toned));
+}
+
+TEST_F(Colours, HighlightsOfGlassAreSeenInSpotInksToo) {
+  const auto tint = [&](const std::string& options) {
+    const Json drawing = drawn("--style duotone " + options);
+    for (const Json& area : drawing.at("areas")) {
+      if (drawing.at("parts").at(area.at("part").get<std::size_t>()).at("name") != "glass")
+        continue;
+      return area.at("tint").get<double>() * area.at("opacity").get<double>();
+    }
+    return 0.0;
+  };
+  EXPECT_NEAR(tint(""), (0.15 + 1) / 2 * 0.3, 1e-9) << "the mean of its tones";
+  EXPECT_NEAR(tint("--highlight glass"), (0.6 + 1) / 2 * 0.3, 1e-9);
+}
+
+TEST_F(Colours, OfGlassAreOpaqueWhereALookSaysSo) {
+  folder_.write("solid.json", R"({"base": "flat", "fill.opacity": 1})");
+  folder_.write("group.json", R"({"base": "flat", "fill": {"opacity": 1}})");
+  folder_.write("flat.json", R"({"base": "flat"})");
+  const auto opacity = [&](const std::string& options) {
+    const Json drawing = drawn("--style flat " + options);
+    for (const Json& area : drawing.at("areas")) {
+      if (area.at("part") == 0) return area.value("opacity", 1.0);
+    }
+    return 0.0;
+  };
+  EXPECT_NEAR(opacity(""), 0.3, 1e-9);
+  EXPECT_NEAR(opacity("--look glass=@/flat.json"), 0.3, 1e-9) << "nothing is said of opacity";
+  EXPECT_NEAR(opacity("--look glass=flat"), 0.3, 1e-9);
+  EXPECT_EQ(opacity("--look glass=@/solid.json"), 1);
+  EXPECT_EQ(opacity("--look glass=@/group.json"), 1);
+  EXPECT_EQ(opacity("--ghost glass --look glass=@/solid.json"), 1);
+  const auto names = fills(drawn("--style flat --look glass=@/solid.json"));
+  EXPECT_FALSE(names.contains("core")) << "it is hidden";
+  // Strokes are back, too.
+  folder_.write("pen.json", R"({"base": "engraving", "fill.opacity": 1})");
+  const Json drawing = drawn("--style engraving --look glass=@/pen.json");
+  bool any = false;
+  for (const Json& layer : drawing.at("layers")) {
+    for (const Json& path : layer.at("paths")) {
+      any = any || (path.at("kind") == "stroke" && path.at("part") == 0);
+    }
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST_F(Colours, HighlightsHaveTonesOnWhichLinesAreSeen) {
+  drawn("--style cel --highlight core=red");
+  EXPECT_EQ(err_, "");
+  drawn("--style shaded --highlight core");
+  EXPECT_EQ(err_, "") << "pale shade on the others";
+  drawn("--style flat --highlight core=black");
+  EXPECT_EQ(err_,
+            "burin: warning: lines can hardly be seen on 1 part, such as 'core': #000000 on "
+            "#000000 has a contrast of 1.0; choose another line.color or fill.color\n");
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,116 @@
+/// Hatching in colours has rows in the legend.
+
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/legend.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+/// Two boxes side by side, the one red, the other nearly black.
+Scene two_boxes() {
+  Scene scene;
+  for (const auto& [name, x, color] : {std::tuple("lid", 0, "#ff0000"), {"pin", 20, "#101010"}}) {
+    scene.parts.push_back(
+        {name, "a.stl", std::make_shared<MeshForm>(test::box({x, 0, 0}, {x + 10, 4, 10}))});
+    scene.parts.back().color = color;
+  }
+  return scene;
+}
+
+/// Lines of hatching in colours.
+Style hatched() {
+  Style style = builtin_style("flat");
+  style.fill.opacity = 0;
+  style.fill.hatch.lines = FillHatch::Lines::Lines;
+  style.fill.hatch.color = "fill";
+  return style;
+}
+
+struct Legend {
+  Drawing drawing;
+  Strings seen;
+};
+Legend legend(const Scene& scene, const Style& style) {
+  IllustrateOptions options;
+  Annotations& over = options.annotations.emplace();
+  over.items = {{1, "lid", {0}, "", ""}, {2, "pin", {1}, "", ""}};
+  over.legend = legend_rows(scene, style, options, over.items);
+  RunContext context;
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = {0, -1, 0}, .paper = {150, 100}});
+  Legend out{illustrate(scene, camera, style, options, context), {}};
+  for (const LegendRow& row : with_seen_rows(scene, style, options, out.drawing).legend) {
+    if (row.seen) out.seen.push_back(row.square.fill);
+  }
+  return out;
+}
+
+/// Colours of lines of hatching by part, within the squares of the legend and elsewhere.
+std::map<std::int32_t, std::set<std::string>> lines(const Drawing& drawing, bool in_squares) {
+  std::map<std::int32_t, std::set<std::string>> out;
+  for (const Layer& layer : drawing.layers) {
+    if (layer.name != "fill-hatch") continue;
+    for (const Path& path : layer.paths) {
+      const bool within = std::ranges::any_of(drawing.areas, [&](const Area& area) {
+        const auto& ring = area.rings.front();
+        const Vec2 at = 0.5 * (path.points[0] + path.points[1]);
+        return area.role == "legend" && at.x > ring[0].x && at.x < ring[2].x && at.y > ring[0].y &&
+               at.y < ring[2].y;
+      });
+      if (within == in_squares) out[path.source.part].insert(path.color);
+    }
+  }
+  return out;
+}
+
+TEST(HatchedLegend, HasTheColoursOfLinesAndSquaresOfThem) {
+  const Legend found = legend(two_boxes(), hatched());
+  EXPECT_EQ(found.seen, (Strings{"#ff0000", "#595959"}));
+  EXPECT_EQ(lines(found.drawing, true), lines(found.drawing, false));
+  EXPECT_EQ(lines(found.drawing, true).size(), 2u);
+  std::ptrdiff_t squares = 0;
+  for (const Area& area : found.drawing.areas) {
+    EXPECT_TRUE(area.fill.empty()) << "lines alone";
+    squares += area.role == "legend" ? 1 : 0;
+  }
+  EXPECT_EQ(squares, 2);
+}
+
+TEST(HatchedLegend, HasColoursThatAreNamedAndHatchesThemWhereTheShadeAloneIs) {
+  Style style = hatched();
+  style.fill.color = "none";
+  style.fill.hatch.color = "#0000ff";
+  style.fill.steps = 3;
+  const Legend found = legend(two_boxes(), style);
+  EXPECT_TRUE(found.seen.empty()) << "the front is in full light";
+  style.tone.light = {0, 0, -1};
+  EXPECT_EQ(legend(two_boxes(), style).seen, (Strings{"#0000ff", "#0000ff"}));
+  EXPECT_EQ(lines(legend(two_boxes(), style).drawing, true).size(), 2u);
+}
+
+TEST(HatchedLegend, HasNoneOfLinesInTheInkOfTheSheetOrOfGlass) {
+  Style style = hatched();
+  style.fill.hatch.color = "";
+  EXPECT_TRUE(legend_rows(two_boxes(), style, {}, {{{1, "lid", {0}, "", ""}}}).empty());
+  IllustrateOptions options;
+  options.part_styles.resize(2);
+  options.part_styles[0].transparent = true;
+  EXPECT_TRUE(legend_rows(two_boxes(), hatched(), options, {{{1, "lid", {0}, "", ""}}}).empty());
+}
+
+}  // namespace
+}  // namespace burin
