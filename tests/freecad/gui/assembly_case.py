@@ -31,7 +31,6 @@ class Case(support.Case):
         return support.panel()
 
     def wait(self):
-        support.settle(300)
         support.drawn()
 
     def close(self, panel):
