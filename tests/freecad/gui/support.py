@@ -84,10 +84,12 @@ class Heartbeat:
 
 
 def settle(milliseconds=60):
-    """Lets the GUI work for a while."""
+    """Lets the GUI work for a while, and then until what comes one after the other has come: on a busy machine the time may
+    be over before the first event."""
     loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(milliseconds, loop.quit)
-    loop.exec_()
+    for wait in (milliseconds, 0, 0, 0, 0):
+        QtCore.QTimer.singleShot(wait, loop.quit)
+        loop.exec_()
 
 
 def until(condition, seconds=60.0):
