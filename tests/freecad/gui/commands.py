@@ -710,9 +710,7 @@ class Sources(support.Case):
 
         self.select(self.obj)
         Gui.runCommand("Burin_SelectSource")
-        area = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView)
-                    if v.isVisible()).viewport()
-        support.resting(lambda: (self.view.getSize(), area.width(), area.height(), self.view.getCamera()))
+        area = support.glass()
         sheet = sheet_of(self.obj)
         path = next(p for _, p in sheet.paths() if p["kind"] == "crease")
         (ax, ay), (bx, by) = path["points"][:2]

@@ -200,8 +200,7 @@ class Undoing(Case):
         self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
         panel = support.panel()
         panel.style.setCurrentIndex(panel.style.findData("outline"))
-        area = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView)
-                    if v.isVisible()).viewport()
+        area = support.glass()
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             QtGui.QApplication.sendEvent(area, QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
         self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))

@@ -185,6 +185,24 @@ def picture(name, width=640, height=480):
     return path
 
 
+def glass():
+    """What the 3-D view in front is painted on, once it and its camera are at rest: windows are laid out late, and FreeCAD 1.0
+    turns the camera slowly."""
+    view = Gui.ActiveDocument.ActiveView
+    shown = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView) if v.isVisible()).viewport()
+    resting(lambda: (view.getSize(), shown.width(), shown.height(), view.getCamera()))
+    return shown
+
+
+def leaves(obj, path=""):
+    """Paths of what an assembly is made of, and its labels, in order: releases of FreeCAD name what they import differently."""
+    below = obj.getSubObjects() if obj.hasExtension("App::GroupExtension") or obj.TypeId.startswith("App::Link") else ()
+    if not below:
+        yield path or obj.Name, obj.Label
+    for sub in below:
+        yield from leaves(obj.getSubObject(sub, retType=1), f"{path or obj.Name}.{sub.rstrip('.')}")
+
+
 def panel():
     """The panel that is shown, as the add-on made it."""
     from freecad.burin_wb import tasks
