@@ -15,10 +15,11 @@ SKIP = 77
 HERE = pathlib.Path(__file__).resolve().parent
 ADDON = HERE.parent.parent.parent / "freecad_wb"
 
-# FreeCAD 1.0 would turn the camera slowly, and a test would read it on its way.
+# FreeCAD 1.0 would turn the camera slowly, and a test would read it on its way; and what tests print would lie before its window.
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
+<FCParamGroup Name="NotificationArea"><FCBool Name="NonIntrusiveNotificationsEnabled" Value="0"/></FCParamGroup>
 <FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
 <FCParamGroup Name="OutputWindow"><FCBool Name="checkShowReportViewOnWarning" Value="0"/>
 <FCBool Name="checkShowReportViewOnError" Value="0"/></FCParamGroup>

@@ -189,10 +189,11 @@ class Undoing(Case):
     def test_undo_with_the_panel_of_a_new_illustration(self):
         objects = [o.Name for o in self.document.Objects]
         self.select(self.ball)
-        Gui.runCommand("Burin_NewIllustration")
-        support.settle(50)
-        Gui.runCommand("Std_Undo")
-        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
+        with support.held():  # the run ends when there is no illustration any more
+            Gui.runCommand("Burin_NewIllustration")
+            self.assertTrue(support.at_work())
+            Gui.runCommand("Std_Undo")
+            self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         support.drawn()
         self.assertEqual([o.Name for o in self.document.Objects], objects)
 
