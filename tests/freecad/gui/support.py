@@ -92,7 +92,7 @@ def settle(milliseconds=60):
         loop.exec_()
 
 
-def until(condition, seconds=60.0):
+def until(condition, seconds=120.0):
     """Lets the GUI work until a condition holds; whether it does. The time is for machines of any speed: it only passes where
     the test fails."""
     end = time.monotonic() + seconds
@@ -126,7 +126,7 @@ def quiet(obj=None):
     return shown is None or shown.over or not (shown.waits() or shown.preview.busy())
 
 
-def drawn(obj=None, seconds=120.0):
+def drawn(obj=None, seconds=200.0):
     """Waits until all that is asked for is drawn and shown: what one event asks for may come in the next."""
     turns = []
 

@@ -129,7 +129,7 @@ class Tutorial(Pictures):
                 unittest.mock.patch.object(QtGui.QInputDialog, "getInt", lambda *_: (6, True)):
             self.select(obj)
             Gui.runCommand("Burin_StepBook")
-        self.assertTrue(support.until(lambda: not book.busy(), 60))
+        self.assertTrue(support.until(lambda: not book.busy()))
 
     def test_as_a_script(self):
         pdfs = [str(support.OUT / name) for name in ("pump-script.pdf", "section-script.pdf", "detail-script.pdf")]
