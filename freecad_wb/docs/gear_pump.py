@@ -15,9 +15,20 @@ def assembly(document, file):
     """The assembly of a STEP file, taken in as one, which FreeCAD's preferences may not have it do by themselves."""
     import Import
 
-    Import.insert(file, document.Name, merge=False)
+    Import.insert(file, document.Name, merge=False, useLinkGroup=True)
     document.recompute()
     return next(o for o in document.Objects if o.Label == "gear pump" and not o.InList)
+
+
+def paths(part, *labels, path=""):
+    """Paths of the objects in an assembly whose labels begin so: releases of FreeCAD give them other names, and arrays in place of
+    single links."""
+    for sub in part.getSubObjects():
+        obj, here = part.getSubObject(sub, retType=1), f"{path or part.Name}.{sub.rstrip('.')}"
+        if obj.Label.startswith(labels):
+            yield here
+        else:
+            yield from paths(obj, *labels, path=here)
 
 
 def exploded(document, part):
@@ -42,9 +53,16 @@ def cut(document, part):
     obj.Style = "engraving"
     obj.Width, obj.Height = 270, 180
     obj.ViewDirection = V(0.5, -1, 0.6)
-    whole = ["Solid003", "Solid005", "Solid006", "Link", "Link001"]  # shafts, keys, dowels
+    whole = list(paths(part, "drive shaft", "idler shaft", "key", "dowel"))
     obj.Sections = [section.text_of(section.plane((0, -1, 0), 0, whole))]
     return obj
+
+
+def dowel(part):
+    """The path of the first of the two dowels."""
+    path = next(paths(part, "dowel"))
+    elements = part.getSubObject(path.partition(".")[2] + ".", retType=1).getSubObjects()
+    return f"{path}.{elements[0].rstrip('.')}" if elements else path
 
 
 def detailed(document, part):
@@ -53,7 +71,7 @@ def detailed(document, part):
 
     obj = cut(document, part)
     obj.Label = "Detailed"
-    details.set_details(obj, [{**details.of_objects([f"{part.Name}.Link001.0"], "4:1"), "radius": 9.0}])
+    details.set_details(obj, [{**details.of_objects([dowel(part)], "4:1"), "radius": 9.0}])
     return obj
 
 

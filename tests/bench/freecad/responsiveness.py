@@ -16,7 +16,7 @@ import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
 from PySide import QtCore  # noqa: E402
 
-STEPS = ("frame", "new", "key", "cancel", "engraving", "update", "undo", "open")
+STEPS = ("frame", "new", "key", "cancel", "engraving", "explode", "update", "undo", "open")
 
 
 def scheduler():
@@ -72,6 +72,19 @@ def steps(path):
     step("cancel", cancel)
     panel.accept()
     step("engraving", lambda: (obj.touch(), change("Seed", 2)))
+
+    def explode():
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+        Gui.runCommand("Burin_Explode")
+        support.drawn()
+        slider = support.panel().slider
+        for share in range(100, 40, -5):
+            slider.setValue(share)
+            support.settle(30)
+
+    step("explode", explode)
+    support.panel().reject()
     source = obj.Sources[0][0]
     if hasattr(source, "Placement"):
         source.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 1), FreeCAD.Rotation()).multiply(source.Placement)

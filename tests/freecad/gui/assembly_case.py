@@ -31,7 +31,6 @@ class Case(support.Case):
         return support.panel()
 
     def wait(self):
-        support.settle(300)
         support.drawn()
 
     def close(self, panel):
@@ -44,6 +43,9 @@ class Case(support.Case):
 
     def is_narrow_and_told(self, panel):
         self.assertLessEqual(panel.form.minimumSizeHint().width(), 330)
+        for button in panel.form.findChildren(QtGui.QPushButton):
+            needed = button.fontMetrics().boundingRect(button.text()).width()
+            self.assertGreater(button.minimumWidth() or button.width(), needed, f"the text of {button.objectName()} is cut off")
         for kind in (QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QPushButton, QtGui.QCheckBox, QtGui.QSlider):
             for widget in panel.form.findChildren(kind):
                 self.assertTrue(widget.toolTip(), widget.objectName())

@@ -1,9 +1,9 @@
 """The panels: values in and out, OK and Cancel, the preview, and a GUI that never stalls."""
 
+import itertools
 import json
 import os
 import sys
-import time
 import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -37,7 +37,6 @@ class Editing(support.Case):
         support.settle(50)
 
     def drawn(self):
-        support.settle(300)  # the pause after the last change
         support.drawn()
 
     def test_widgets_hold_tooltips_and_the_panel_is_narrow(self):
@@ -94,21 +93,18 @@ class Editing(support.Case):
         self.assertIsNone(preview.large)
         preview.mousePressEvent(None)
         large = preview.large
-        support.until(lambda: not large.picture.busy())
+        self.assertTrue(support.until(lambda: not large.picture.busy()))
         shown = large.picture.shown()
         self.assertGreater(shown.width(), 2 * preview.width())
         pick(child(QtGui.QComboBox, "style"), "outline")
         self.drawn()
-        support.until(lambda: not large.picture.busy())
+        self.assertTrue(support.until(lambda: not large.picture.busy()))
         self.assertNotEqual(large.picture.shown(), shown)
         support.screenshot("large_preview")
         large.resize(500, 400)
-        support.settle(300)
-        support.until(lambda: not large.picture.busy())
-        self.assertLessEqual(large.picture.shown().width(), 1001)
+        self.assertTrue(support.until(lambda: not large.picture.busy() and large.picture.shown().width() <= 1001))
         support.panel().reject()
-        support.settle(50)
-        self.assertFalse(large.isVisible())
+        self.assertTrue(support.until(lambda: not large.isVisible()))
 
     def test_what_is_quick_to_draw_is_drawn_while_the_wheel_turns(self):
         self.open()
@@ -120,12 +116,14 @@ class Editing(support.Case):
 
         # What is quick is so on an idle machine; here it may take what it takes.
         with unittest.mock.patch.object(panel, "LIVE", 60.0):
-            end, k = time.monotonic() + 60, 0
-            while k < 40 or (runs() <= before + 2 and time.monotonic() < end):
-                width.setProperty("rawValue", 150.0 - k % 40)
-                support.settle(30)  # never as long as the pause
-                k += 1
-            self.assertGreater(runs(), before + 2)
+            numbers = itertools.count()
+
+            def turn():  # on and on: a pause is never waited for
+                width.setProperty("rawValue", 150.0 - next(numbers) % 40)
+                support.settle(20)
+                return runs() > before + 2
+
+            self.assertTrue(support.until(turn))
             width.setProperty("rawValue", 111.0)
             self.drawn()
         self.assertIn('width="111mm"', open(self.obj.Picture).read()[:2000])
@@ -147,7 +145,7 @@ class Editing(support.Case):
         form = support.panel().form
         QtGui.QApplication.sendEvent(form, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape,
                                                            QtCore.Qt.NoModifier))
-        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False, 3))
+        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         self.assertEqual(self.obj.Style, "technical")
 
     def test_objects_of_the_table(self):
@@ -297,7 +295,8 @@ class Editing(support.Case):
 
 
 class Stall(support.Case):
-    """A real part: the GUI goes on, progress is told, a change ends a run, Stop ends it."""
+    """A real part: the GUI goes on, progress is told, a change ends a run, Stop ends it. How long the GUI is busy at most is measured
+    by tests/bench/freecad."""
 
     def setUp(self):
         super().setUp()
@@ -314,37 +313,40 @@ class Stall(support.Case):
         support.settle(300)
 
     def test_the_gui_never_stalls(self):
-        self.select(self.part)
-        stages = set()
-        lines = []
         from freecad.burin_wb.view import scheduler
 
-        scheduler.scheduler._kept.clear()
-        with support.Heartbeat() as beat:
-            start = time.monotonic()
+        runs = scheduler.install()
+        runs._kept.clear()
+        self.select(self.part)
+        stages, shares = set(), set()
+        with support.held():
             Gui.runCommand("Burin_NewIllustration")
             obj = support.panel().obj
-            support.panel().runs.progressed.connect(lambda key, stage, share: stages.add(stage))
-            support.drawn(obj)
-            lines.append(("new, technical", time.monotonic() - start, beat))
+            runs.progressed.connect(lambda key, stage, share: (stages.add(stage), shares.add(share)))
+            self.goes_on(obj)
+        support.drawn()
         support.panel().accept()
         for style in ("engraving", "outline"):
-            with support.Heartbeat() as beat:
-                start = time.monotonic()
+            with support.held():
                 obj.Style = style
                 obj.recompute()
-                support.drawn(obj)
-                lines.append((style, time.monotonic() - start, beat))
-        text = "".join(f"{name}: {seconds:.2f} s to the drawing, longest work of the GUI's thread between heartbeats "
-                       f"{1000 * beat.longest:.0f} ms (clock {1000 * beat.wall:.0f} ms), {beat.beats} beats\n"
-                       for name, seconds, beat in lines)
-        (support.OUT / "stall.txt").write_text(text)
-        print(text)
+                self.goes_on(obj)
+            support.drawn()
         support.screenshot("nist")
         self.assertEqual(obj.Message, "")
-        self.assertTrue(stages)
-        for name, _, beat in lines:
-            self.assertLess(beat.longest, 0.1, name)
+        self.assertTrue(stages - {""}, "no stage is told")
+        self.assertGreater(len(shares), 2)
+
+    def goes_on(self, obj):
+        """While the kernel is at work other events come, and the camera turns."""
+        from freecad.burin_wb.view import scheduler
+
+        with support.Heartbeat() as heart:
+            self.assertTrue(support.at_work())
+            Gui.ActiveDocument.ActiveView.viewFront()
+            Gui.ActiveDocument.ActiveView.viewIsometric()
+            self.assertTrue(support.until(lambda: heart.beats > 20))
+        self.assertTrue(scheduler.install().running(obj))
 
     def test_a_second_change_ends_the_first_run(self):
         obj = self.illustrate(self.part)
@@ -354,9 +356,10 @@ class Stall(support.Case):
         scheduler.scheduler.ended.connect(lambda key, error: ended.append(error))
         obj.Style = "engraving"
         obj.recompute()
-        support.until(lambda: scheduler.scheduler._current is not None and scheduler.scheduler._current.share > 0, 5)
-        obj.Seed = 2
-        obj.recompute()
+        self.assertTrue(support.until(lambda: scheduler.scheduler._current is not None and scheduler.scheduler._current.share > 0))
+        with support.held():
+            obj.Seed = 2
+            obj.recompute()
         support.drawn(obj)
         self.assertEqual(json.load(open(obj.Drawing))["seed"], 2)
         self.assertEqual(obj.Message, "")
@@ -366,9 +369,11 @@ class Stall(support.Case):
         obj = self.illustrate(self.part)
         before = open(obj.Drawing).read()
         obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
-        pick(child(QtGui.QComboBox, "style"), "engraving")
-        self.assertTrue(support.until(lambda: child(QtGui.QPushButton, "stop").isEnabled(), 5))
-        child(QtGui.QPushButton, "stop").click()
+        with support.held():
+            pick(child(QtGui.QComboBox, "style"), "engraving")
+            self.assertTrue(support.until(lambda: child(QtGui.QPushButton, "stop").isEnabled()))
+            self.assertTrue(support.at_work())
+            child(QtGui.QPushButton, "stop").click()
         support.drawn(obj)
         self.assertIn("cancelled", child(QtGui.QLabel, "message").text())
         self.assertEqual(open(obj.Drawing).read(), before)

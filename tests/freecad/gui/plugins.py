@@ -20,7 +20,6 @@ class Plugins(support.Case):
         self.obj = self.illustrate(*self.box_and_ball())
 
     def drawn(self):
-        support.settle(300)  # the pause after the last change
         support.drawn()
 
     def test_a_direction_is_chosen_and_its_option_changed_in_the_panel(self):

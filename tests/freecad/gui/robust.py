@@ -20,16 +20,14 @@ def worker():
 
 class Crash(support.Case):
     def test_a_kernel_that_dies_leaves_freecad_and_the_document_alive(self):
-        from freecad.burin_wb.view import scheduler
-
         obj = self.illustrate(*self.box_and_ball())
         before = open(obj.Drawing).read()
         obj.Style = "engraving"
         obj.StyleKeys = {"hatch.spacing_min": "0.1", "hatch.spacing_max": "0.15"}
-        obj.recompute()
-        self.assertTrue(support.until(lambda: scheduler.scheduler._current is not None, 5))
-        support.settle(100)
-        os.kill(worker()._process.pid, signal.SIGSEGV)
+        with support.held() as process:
+            obj.recompute()
+            self.assertTrue(support.until(lambda: worker()._running is not None and worker()._sent))
+            process.send_signal(signal.SIGSEGV)
         support.drawn(obj)
         self.assertIn("ended unexpectedly", obj.Message)
         self.assertIn("document is unchanged", obj.Message)
@@ -53,8 +51,7 @@ class Crash(support.Case):
         self.select(*self.box_and_ball())
         Gui.runCommand("Burin_NewIllustration")
         FreeCAD.closeDocument(self.document.Name)
-        support.settle(50)
-        self.assertFalse(Gui.Control.activeDialog())
+        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         scheduler.scheduler.progressed.emit(support.panel().key, "trace", 0.5)
         support.drawn()
 

@@ -5,6 +5,7 @@ Ends with 77 (skipped) where FreeCAD or Xvfb is absent, else with the script's s
 
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -14,9 +15,12 @@ SKIP = 77
 HERE = pathlib.Path(__file__).resolve().parent
 ADDON = HERE.parent.parent.parent / "freecad_wb"
 
+# FreeCAD 1.0 would turn the camera slowly, and a test would read it on its way; and what tests print would lie before its window.
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
+<FCParamGroup Name="NotificationArea"><FCBool Name="NonIntrusiveNotificationsEnabled" Value="0"/></FCParamGroup>
+<FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
 <FCParamGroup Name="OutputWindow"><FCBool Name="checkShowReportViewOnWarning" Value="0"/>
 <FCBool Name="checkShowReportViewOnError" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
@@ -24,14 +28,18 @@ CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 
 
 def screen():
-    """Starts Xvfb on a free display; the process and the display's name."""
-    read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x900x24", "-nolisten", "tcp"],
-                              pass_fds=[write], stderr=subprocess.DEVNULL)
-    os.close(write)
-    with os.fdopen(read) as told:
-        number = told.readline().strip()
-    return server, ":" + number
+    """Starts Xvfb on a display of its own; the process and the display's name. The number is drawn by lot: one that is free in
+    this root may be taken in another on the machine, and programs would come to that screen and go with it."""
+    for number in random.SystemRandom().sample(range(100, 30000), 20):
+        read, write = os.pipe()
+        server = subprocess.Popen(["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", "1280x900x24", "-nolisten", "tcp"],
+                                  pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as told:
+            if told.readline().strip():
+                return server, f":{number}"
+        server.wait()
+    sys.exit("Xvfb does not start")
 
 
 def main():

@@ -40,21 +40,22 @@ class Case(support.Case):
         self.obj = self.illustrate(self.box, self.ball)
 
     def begin_long(self):
-        """Starts a run that takes a while."""
+        """Starts a run that takes a while, and waits until it tells of its progress."""
         for name, value in LONG.items():
             setattr(self.obj, name, value)
         self.document.recompute()
-        self.assertTrue(support.until(lambda: scheduler()._current is not None and scheduler()._current.share > 0, 60))
+        self.assertTrue(support.until(lambda: scheduler()._current is not None and scheduler()._current.share > 0))
 
 
 class Saving(Case):
     def test_a_document_saved_during_a_run_draws_when_it_is_opened(self):
         self.begin_long()
         path, name = str(support.OUT / "during.FCStd"), self.obj.Name
-        self.document.saveAs(path)
-        self.assertNotIn("Touched", self.obj.State)
-        self.assertTrue(scheduler().running(self.obj), "saving ends the run")
-        scheduler().cancel(self.obj)
+        with support.held():
+            self.document.saveAs(path)
+            self.assertNotIn("Touched", self.obj.State)
+            self.assertTrue(scheduler().running(self.obj), "saving ends the run")
+            scheduler().cancel(self.obj)
         support.drawn()
         FreeCAD.closeDocument(self.document.Name)
         self.document = FreeCAD.openDocument(path)
@@ -83,29 +84,30 @@ class Saving(Case):
         self.document.recompute()
         self.assertTrue(scheduler().running(self.obj))
         self.obj.Seed = 77  # and no recompute
-        self.assertTrue(support.until(lambda: not scheduler().busy(self.obj), 120))
-        support.settle(50)
+        self.assertTrue(support.until(lambda: not scheduler().busy(self.obj)))
+        support.settle()
         self.assertEqual(json.loads(read(self.obj.Drawing))["seed"], 1)
         self.assertIn("Touched", self.obj.State)
 
     def test_a_recompute_with_nothing_new_lets_the_run_go_on(self):
         self.begin_long()
-        run = scheduler()._current
-        self.obj.touch()
-        self.document.recompute()
-        self.assertIs(scheduler()._current, run)
-        self.assertFalse(run.cancelled or run.replaced)
-        scheduler().cancel(self.obj)
+        with support.held():
+            run = scheduler()._current
+            self.obj.touch()
+            self.document.recompute()
+            self.assertIs(scheduler()._current, run)
+            self.assertFalse(run.cancelled or run.replaced)
+            scheduler().cancel(self.obj)
         support.drawn()
-
 
     def test_who_is_told_of_the_end_finds_no_run(self):
         """However late the thread of the runs goes on after it: the panel would say "drawing" for good."""
         told = []
         scheduler().ended.connect(lambda key, error: told.append(scheduler().running(self.obj)))
         self.obj.Width = 137  # as no other test draws it: what was drawn once is kept
-        self.document.recompute()
-        self.assertTrue(support.until(lambda: scheduler()._current is not None, 20))
+        with support.held():
+            self.document.recompute()
+            self.assertTrue(support.at_work())
         with scheduler()._lock:  # the thread stands still wherever it needs this
             support.until(lambda: told, 3)
         support.drawn()
@@ -130,7 +132,7 @@ class Exporting(Case):
         path = str(support.OUT / "given-up.svg")
         if os.path.exists(path):
             os.unlink(path)
-        QtCore.QTimer.singleShot(200, Gui.getMainWindow().findChild(QtGui.QWidget, "BurinStatus").button.click)
+        QtCore.QTimer.singleShot(0, Gui.getMainWindow().findChild(QtGui.QWidget, "BurinStatus").button.click)
         with self.assertRaisesRegex(ValueError, "cancelled.*nothing was written"):
             export.export([self.obj], path)
         self.assertFalse(os.path.exists(path))
@@ -144,7 +146,7 @@ class Closing(Case):
         FreeCAD.closeDocument(self.document.Name)
         self.assertTrue(run.cancelled, "the run goes on")
         self.assertFalse(scheduler().running())
-        self.assertTrue(support.until(lambda: not scheduler().busy(), 20))
+        self.assertTrue(support.until(lambda: not scheduler().busy()))
         self.assertEqual([key[0] for key, _ in ended], ["Test"])
         self.assertIsNotNone(ended[0][1])
 
@@ -171,11 +173,10 @@ class Undoing(Case):
         self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
         panel = support.panel()
         panel.style.setCurrentIndex(panel.style.findData("outline"))
-        support.settle(300)
         support.drawn()
         self.assertTrue(read(self.obj.Drawing) != before)
         Gui.runCommand("Std_Undo")
-        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False, 5))
+        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         support.drawn()
         self.assertEqual((self.obj.Style, self.document.UndoCount), ("technical", undos))
         self.assertTrue(read(self.obj.Drawing) == before)
@@ -188,10 +189,11 @@ class Undoing(Case):
     def test_undo_with_the_panel_of_a_new_illustration(self):
         objects = [o.Name for o in self.document.Objects]
         self.select(self.ball)
-        Gui.runCommand("Burin_NewIllustration")
-        support.settle(50)
-        Gui.runCommand("Std_Undo")
-        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False, 5))
+        with support.held():  # the run ends when there is no illustration any more
+            Gui.runCommand("Burin_NewIllustration")
+            self.assertTrue(support.at_work())
+            Gui.runCommand("Std_Undo")
+            self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         support.drawn()
         self.assertEqual([o.Name for o in self.document.Objects], objects)
 
@@ -199,11 +201,10 @@ class Undoing(Case):
         self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
         panel = support.panel()
         panel.style.setCurrentIndex(panel.style.findData("outline"))
-        area = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView)
-                    if v.isVisible()).viewport()
+        area = support.glass()
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             QtGui.QApplication.sendEvent(area, QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
-        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False, 5))
+        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False))
         support.drawn()
         self.assertEqual(self.obj.Style, "technical")
 
@@ -250,14 +251,14 @@ class Panel(Case):
         self.assertEqual(names(), ["Box", "Ball"])
         table.item(1, 2).setCheckState(QtCore.Qt.Checked)
         self.box.Label = "Housing"
-        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball"], 5), names())
+        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball"]), names())
         cone = self.document.addObject("Part::Cone", "Cone")
         self.document.recompute()
         self.obj.Sources = [*self.obj.Sources, (cone, ("",))]
-        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball", "Cone"], 5), names())
+        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball", "Cone"]), names())
         self.assertEqual(table.item(1, 2).checkState(), QtCore.Qt.Checked)
         self.document.removeObject("Cone")
-        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball"], 5), names())
+        self.assertTrue(support.until(lambda: names() == ["Housing", "Ball"]), names())
         support.panel().reject()
 
 

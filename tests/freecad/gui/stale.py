@@ -28,14 +28,14 @@ class Stale(support.Case):
         with unittest.mock.patch.object(redraw, "tell", lambda text, *_: said.append(text)):
             Gui.runCommand("Burin_RedrawAll")
             yield said
-            support.until(lambda: not redraw.busy())
+            self.assertTrue(support.until(lambda: not redraw.busy()))
 
     def test_the_tree_marks_it_and_redraw_all_takes_the_mark_away(self):
         support.settle(400)
         self.assertFalse(marked(self.obj))
         other = self.illustrate(self.ball)
         self.box.Length = 55
-        self.assertTrue(support.until(lambda: marked(self.obj), 3))
+        self.assertTrue(support.until(lambda: marked(self.obj)))
         self.assertFalse(marked(other))
         support.screenshot("stale-tree")
         before = open(self.obj.Picture).read()
@@ -44,7 +44,7 @@ class Stale(support.Case):
         next(run, None)
         self.assertEqual(said, ["1 illustrations drawn anew, 1 as they were"])
         self.assertNotEqual(open(self.obj.Picture).read(), before)
-        self.assertTrue(support.until(lambda: not marked(self.obj), 3))
+        self.assertTrue(support.until(lambda: not marked(self.obj)))
 
     def test_a_redraw_is_cancelled(self):
         from freecad.burin_wb.view import scheduler
@@ -53,14 +53,14 @@ class Stale(support.Case):
         for obj in (self.obj, *others):
             obj.Style = "engraving"
         run = self.redraw_all()
-        said = next(run)
-        support.settle(100)
-        self.assertIn("more)", next(w for w in Gui.getMainWindow().findChildren(QtGui.QWidget, "BurinStatus")).text.text())
-        scheduler.scheduler.cancel_all()
+        with support.held():
+            said = next(run)
+            text = next(w for w in Gui.getMainWindow().findChildren(QtGui.QWidget, "BurinStatus")).text
+            self.assertTrue(support.until(lambda: "more)" in text.text()))
+            scheduler.scheduler.cancel_all()
         next(run, None)
         self.assertRegex(said[0], "^0 illustrations drawn anew, 3 as they were; not drawn: Illustration")
-        support.settle(400)
-        self.assertTrue(all(marked(obj) for obj in (self.obj, *others)))
+        self.assertTrue(support.until(lambda: all(marked(obj) for obj in (self.obj, *others))))
         self.document.recompute()  # what was cancelled is not forgotten
         for obj in (self.obj, *others):
             obj.Style = "outline"

@@ -1,12 +1,15 @@
 """What GUI tests share. A test script ends with `support.run(__name__)`."""
 
+import contextlib
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import time
 import traceback
 import unittest
+import unittest.mock
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -52,8 +55,8 @@ def stop_worker():
 
 
 class Heartbeat:
-    """Beats every 5 ms in the GUI's thread. `longest`: seconds of the GUI's own work between two beats, which other
-    programs on the machine do not lengthen; `wall`: seconds of the clock."""
+    """Beats every 5 ms in the GUI's thread. `longest`: seconds of the GUI's own work between two beats; `wall`: seconds of the
+    clock. Both depend on the machine and on what else it does: tests/bench measures them, a test asserts neither."""
 
     def __init__(self):
         self.longest = self.wall = 0.0
@@ -81,14 +84,17 @@ class Heartbeat:
 
 
 def settle(milliseconds=60):
-    """Lets the GUI work for a while."""
+    """Lets the GUI work for a while, and then until what comes one after the other has come: on a busy machine the time may
+    be over before the first event."""
     loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(milliseconds, loop.quit)
-    loop.exec_()
+    for wait in (milliseconds, 0, 0, 0, 0):
+        QtCore.QTimer.singleShot(wait, loop.quit)
+        loop.exec_()
 
 
-def until(condition, seconds=30.0):
-    """Lets the GUI work until a condition holds; whether it does."""
+def until(condition, seconds=120.0):
+    """Lets the GUI work until a condition holds; whether it does. The time is for machines of any speed: it only passes where
+    the test fails."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
@@ -97,14 +103,63 @@ def until(condition, seconds=30.0):
     return True
 
 
-def drawn(obj=None, seconds=60.0):
-    """Waits for the runs of an illustration."""
+def resting(value, seconds=60.0):
+    """Lets the GUI work until a value is the same three times in a row; returns it."""
+    seen = [object(), object(), value()]
+
+    def same():
+        seen[:] = [*seen[1:], value()]
+        return seen[0] == seen[1] == seen[2]
+
+    assert until(lambda: settle(40) or same(), seconds), "it does not come to rest"
+    return seen[-1]
+
+
+def quiet(obj=None):
+    """Whether nothing is under way: no run of an illustration (or of any), no change of the open panel that is still to be
+    drawn or shown, no picture that is painted."""
+    from freecad.burin_wb.view import reading, scheduler
+
+    runs, shown = scheduler.scheduler, panel()
+    if runs is not None and (runs.busy(obj) or reading.busy(obj)):
+        return False
+    return shown is None or shown.over or not (shown.waits() or shown.preview.busy())
+
+
+def drawn(obj=None, seconds=200.0):
+    """Waits until all that is asked for is drawn and shown: what one event asks for may come in the next."""
+    turns = []
+
+    def rests():
+        turns.append(quiet(obj))
+        return turns[-4:] == [True] * 4
+
+    assert until(rests, seconds), "the run did not end in time"
+
+
+def at_work():
+    """Waits until the worker has a run; whether it comes to that."""
     from freecad.burin_wb.view import scheduler
 
-    assert scheduler.wait(obj, seconds), "the run did not end in time"
-    if panel() is not None and not panel().over:
-        until(lambda: not panel().preview.busy())
-    settle(20)
+    return until(lambda: scheduler.scheduler._current is not None)
+
+
+@contextlib.contextmanager
+def held():
+    """The worker process stands still meanwhile: what it is asked for is under way for as long, on a fast machine too, and who
+    waits for it in the GUI's thread waits for ever. Runs that are cancelled end after it; no process is ended for that."""
+    from freecad.burin_wb import worker as module
+    from freecad.burin_wb.view import scheduler
+
+    worker = scheduler.install()._worker
+    assert worker.start(), "there is no worker process"
+    process = worker._process
+    with unittest.mock.patch.multiple(module, PATIENCE=1e6, PATIENCE_AT_START=1e6):
+        process.send_signal(signal.SIGSTOP)
+        try:
+            yield process
+        finally:
+            process.send_signal(signal.SIGCONT)
 
 
 def screenshot(name):
@@ -128,6 +183,24 @@ def picture(name, width=640, height=480):
     path = OUT / f"{name}.png"
     Gui.ActiveDocument.ActiveView.saveImage(str(path), width, height, "White")
     return path
+
+
+def glass():
+    """What the 3-D view in front is painted on, once it and its camera are at rest: windows are laid out late, and FreeCAD 1.0
+    turns the camera slowly."""
+    view = Gui.ActiveDocument.ActiveView
+    shown = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView) if v.isVisible()).viewport()
+    resting(lambda: (view.getSize(), shown.width(), shown.height(), view.getCamera()))
+    return shown
+
+
+def leaves(obj, path=""):
+    """Paths of what an assembly is made of, and its labels, in order: releases of FreeCAD name what they import differently."""
+    below = obj.getSubObjects() if obj.hasExtension("App::GroupExtension") or obj.TypeId.startswith("App::Link") else ()
+    if not below:
+        yield path or obj.Name, obj.Label
+    for sub in below:
+        yield from leaves(obj.getSubObject(sub, retType=1), f"{path or obj.Name}.{sub.rstrip('.')}")
 
 
 def panel():

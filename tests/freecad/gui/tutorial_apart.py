@@ -53,9 +53,7 @@ class Tutorial(Pictures):
         return support.panel()
 
     def wait(self):
-        support.settle(300)
         support.drawn()
-        support.settle(100)
 
     def test_by_hand(self):
         import TechDrawGui
@@ -94,9 +92,12 @@ class Tutorial(Pictures):
         look_from(V(0.5, -1, 0.6), V(0, 0, 1))
         other = self.illustrate_by_hand(part, 270.0, 180.0)
         panel = self.open("Burin_Section", other)
-        self.select(*((part, name + ".") for name in ("LinkGroup.Solid003", "LinkGroup.Solid005", "LinkGroup001.Solid006", "LinkGroup001.Link", "Link001")))
+        whole = gear_pump.paths(part, "drive shaft", "idler shaft", "key", "dowel")
+        self.select(*((part, path.partition(".")[2] + ".") for path in whole))
         panel.form.findChild(QtGui.QPushButton, "exclude").click()
-        self.assertEqual([panel.whole.item(k).text() for k in range(5)], ["drive shaft", "key", "idler shaft", "key001", "dowel001"])
+        shown = [panel.whole.item(k).text() for k in range(panel.whole.count())]
+        dowels = ["dowel001"] if part.getSubObject("Link001.", retType=1).ElementCount else ["dowel", "dowel001"]  # an array or not
+        self.assertEqual(shown, ["drive shaft", "key", "idler shaft", "key001", *dowels])
         self.wait()
         Gui.Selection.clearSelection()
         self.assertEqual(panel.list.item(0).text(), "-y at 0 mm")
@@ -104,7 +105,8 @@ class Tutorial(Pictures):
         panel.accept()
         self.wait()
         self.assertEqual(other.Message, "")
-        self.select(other, (part, "Link001.0."))
+        dowel = gear_pump.dowel(part)
+        self.select(other, (part, dowel.partition(".")[2] + "."))
         Gui.runCommand("Burin_Detail")
         self.wait()
         panel = support.panel()
@@ -116,7 +118,7 @@ class Tutorial(Pictures):
         self.assertEqual(panel.message.text(), "drawn")
         panel.accept()
         self.wait()
-        self.assertEqual(details.entries_of(other), [{"select": [part.Name + ".Link001.0"], "scale": "4:1", "radius": 9.0}])
+        self.assertEqual(details.entries_of(other), [{"select": [dowel], "scale": "4:1", "radius": 9.0}])
         self.write_book(obj, support.OUT / "pump-steps.pdf")
         self.look_at_page(support.OUT / "pump-steps.pdf", "12-step-book", 6)
 
@@ -127,7 +129,7 @@ class Tutorial(Pictures):
                 unittest.mock.patch.object(QtGui.QInputDialog, "getInt", lambda *_: (6, True)):
             self.select(obj)
             Gui.runCommand("Burin_StepBook")
-        self.assertTrue(support.until(lambda: not book.busy(), 60))
+        self.assertTrue(support.until(lambda: not book.busy()))
 
     def test_as_a_script(self):
         pdfs = [str(support.OUT / name) for name in ("pump-script.pdf", "section-script.pdf", "detail-script.pdf")]

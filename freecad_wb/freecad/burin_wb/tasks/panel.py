@@ -96,6 +96,10 @@ class Panel:
             self.obj.recompute()
             self._report_state()
 
+    def waits(self):
+        """Whether a change is still to be drawn, or to be shown here."""
+        return self._pause.isActive() or self._watch.waits()
+
     def alive(self):
         """Whether the illustration is still in its document."""
         try:

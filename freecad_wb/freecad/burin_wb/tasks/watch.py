@@ -54,6 +54,10 @@ class Changes:
         if obj.Document.Name == self._name:
             self._timer.start()
 
+    def waits(self):
+        """Whether the function is still to be called."""
+        return self._timer is not None and self._timer.isActive()
+
     def stop(self):
         if self._timer is not None:
             self._timer.stop()

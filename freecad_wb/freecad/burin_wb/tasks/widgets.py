@@ -6,6 +6,10 @@ from PySide import QtCore, QtGui
 from .. import kernel
 
 
+# Pixels beside each other in a panel that is as narrow as FreeCAD 1.0 makes it, and between two widgets there.
+NARROW, GAP = 225, 6
+
+
 class _StillWheel(QtCore.QObject):
     """The wheel scrolls the panel; it changes a field only where one has clicked into it."""
 
@@ -113,17 +117,22 @@ def button(text, tip, clicked, name):
     made = QtGui.QPushButton(text)
     made.setObjectName(name)
     made.setToolTip(tip)
-    made.setMinimumWidth(40)
+    made.setMinimumWidth(max(28, made.fontMetrics().boundingRect(text).width() + 12))  # its own hint is wider than a panel has room for
     made.clicked.connect(lambda *_: clicked())
     return made
 
 
 def row(column, *items):
-    """Widgets side by side; the first takes what is left."""
-    line = QtGui.QHBoxLayout()
+    """Widgets side by side; the first takes what is left. Where that is a button, those that a narrow panel has no room for come into
+    lines of their own."""
+    buttons, line, left = isinstance(items[0], QtGui.QPushButton), None, 0
     for k, item in enumerate(items):
-        line.addWidget(item, 0 if k else 1)
-    column.addLayout(line)
+        left -= item.minimumWidth() + GAP if buttons else 0
+        if line is None or left < 0:
+            line = QtGui.QHBoxLayout()
+            column.addLayout(line)
+            left = NARROW - item.minimumWidth()
+        line.addWidget(item, 0 if k and not buttons else 1)
 
 
 def table(heads, tips, name):

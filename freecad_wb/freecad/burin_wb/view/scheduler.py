@@ -316,7 +316,7 @@ class Scheduler(QtCore.QObject):
 def _lives(obj):
     """Whether an object is still in its document; undo takes objects out, closing deletes them."""
     try:
-        return obj.Document.getObject(obj.Name) is not None
+        return bool(obj.Name) and obj.Document.getObject(obj.Name) is not None  # FreeCAD 1.0: no name where undo took it out
     except (AttributeError, ReferenceError, RuntimeError):
         return False
 
