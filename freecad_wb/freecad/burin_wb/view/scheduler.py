@@ -317,7 +317,7 @@ def _lives(obj):
     """Whether an object is still in its document; undo takes objects out, closing deletes them."""
     try:
         return obj.Document.getObject(obj.Name) is not None
-    except (AttributeError, ReferenceError, RuntimeError):
+    except (AttributeError, ReferenceError, RuntimeError, TypeError):  # FreeCAD 1.1: the name of a deleted one is None
         return False
 
 
