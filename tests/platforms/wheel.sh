@@ -58,6 +58,9 @@ lines=$(inside /full/bin/python -c "import burin; print(len(burin.draw('/models/
 inside /empty/bin/pip uninstall --quiet --yes burin
 left=$(find "$root/empty" -ipath '*burin*' | head -3)
 [[ -z $left ]] || fail "pip uninstall leaves $left"
-echo "$suite, Debian $(cat "$root/etc/debian_version"), $(inside python3 --version): $(ls "$scratch"/out/*.svg | wc -l) drawings of ${#models[@]} samples with the same bytes"
+debian=$(cat "$root/etc/debian_version") python=$(inside python3 --version)
+result="$(ls "$scratch"/out/*.svg | wc -l) drawings of ${#models[@]} samples with the same bytes"
+echo "$suite, Debian $debian, $python: $result"
+"$source/tests/platforms/table.py" add "Debian ${debian#*/}" "the wheel, installed by pip" "$python" "$result"
 umount "$root/proc"
 root=
