@@ -59,13 +59,12 @@ def wait():
 
 def page_with(document, obj):
     """An A3 page with the illustration at its own scale."""
-    import os
-
     from freecad.burin_wb.features import place_on_page
+    from freecad.burin_wb.features.sheet_view import blank_template
 
     page = document.addObject("TechDraw::DrawPage", "Page")
     template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = os.path.join(FreeCAD.getResourceDir(), "Mod/TechDraw/Templates/A3_Landscape_blank.svg")
+    template.Template = blank_template([(390, 270)])  # the smallest of FreeCAD's that holds this, A3, wherever this version has it
     page.Template = template
     place_on_page(page, obj)
     document.recompute()

@@ -14,12 +14,14 @@ skip_unless_root() {
   trap 'exit 130' INT TERM
 }
 
-# bare_root VARIANT TARGET [SUITE]: a bare Debian (12 where no suite is named) as a folder or a .tar, from the mirrors of this
-# machine, where they are Debian's own and of that suite.
+# bare_root VARIANT TARGET [SUITE [OPTION...]]: a bare Debian (12 where no suite is named) as a folder or a .tar, from the mirrors of
+# this machine, where they are Debian's own and of that suite. Options are mmdebstrap's.
 bare_root() {
   local mirrors=() file suite=${3:-bookworm}
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
     [[ -s $file ]] && grep -q "$suite" "$file" && mirrors+=("$file")
   done
-  mmdebstrap --quiet --variant="$1" "$suite" "$2" "${mirrors[@]}" || fail "no bare root; is there a mirror of $suite?"
+  # The lists of a moving suite may be days old on a mirror; their signatures are looked at all the same.
+  mmdebstrap --quiet --variant="$1" --aptopt='Acquire::Check-Valid-Until "false"' "${@:4}" "$suite" "$2" "${mirrors[@]}" ||
+    fail "no bare root; is there a mirror of $suite?"
 }

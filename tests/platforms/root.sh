@@ -18,7 +18,8 @@ if [[ ! -e $root/made ]]; then
 fi
 mkdir -p "$root/burin" "$root.build" "$root/data"
 # Mounts of its own go with the process.
-exec unshare --mount --pid --fork bash -euo pipefail -c '
+status=0
+unshare --mount --pid --fork bash -euo pipefail -c '
   root=$1 source=$2
   shift 2
   mount --bind "$source" "$root/burin"
@@ -27,4 +28,11 @@ exec unshare --mount --pid --fork bash -euo pipefail -c '
   mount --rbind /dev "$root/dev"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   exec chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 /burin/dev "$@"
-' root.sh "$root" "$source" "$@"
+' root.sh "$root" "$source" "$@" 2>&1 | tee "$root.log" || status=$?
+# What a whole run of the tests came to stands in the page.
+said=$(sed -n 's/^\([0-9]*% tests passed.*\)$/\1/p' "$root.log" | tail -n 1)
+if [[ $1 == test && $# == 1 && -n $said ]]; then
+  "$source/tests/platforms/table.py" add "Debian $(sed 's|.*/||' "$root/etc/debian_version")" "./dev test" \
+    "$(chroot "$root" bash -c 'echo "g++ $(g++ -dumpfullversion), $(python3 --version)"')" "$said"
+fi
+exit "$status"

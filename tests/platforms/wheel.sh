@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# wheel.sh BUILD: installs the wheel of a build in an empty environment of a bare Debian whose Python it is for, where nothing
+# wheel.sh BUILD WHEEL: installs a wheel of a build in an empty environment of a bare Debian whose Python it is for, where nothing
 # else of Burin, no compiler and no library of it is. Draws there: the bytes are those of the build's own module. Prints a
 # line. Needs root, mmdebstrap and a mirror.
 set -euo pipefail
-build=$1
+build=$1 wheel=$2
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 fail() { printf 'wheel: %s\n' "$*" >&2; exit 1; }
 . "$source/tests/install/bare_root.sh"
 root=
 undo() { [[ -z $root ]] || ! mountpoint -q "$root/proc" || umount "$root/proc"; }
 skip_unless_root "wheel" mmdebstrap
-wheel=$(echo "$build"/burin-*manylinux*.whl)
-[[ -s $wheel ]] || fail "no wheel in $build; run ./dev wheel"
+[[ -s $wheel ]] || fail "there is no $wheel; run ./dev wheel"
 case $wheel in
   *-cp311-*) suite=bookworm ;;
   *-cp313-*) suite=trixie ;;
+  *-cp314-*) suite=sid ;;
   *) fail "no Debian is known whose Python $(basename "$wheel") is for" ;;
 esac
 models=(coupling.step spindle.stl horn.itd lantern.glb blend.implicit)
@@ -58,6 +58,9 @@ lines=$(inside /full/bin/python -c "import burin; print(len(burin.draw('/models/
 inside /empty/bin/pip uninstall --quiet --yes burin
 left=$(find "$root/empty" -ipath '*burin*' | head -3)
 [[ -z $left ]] || fail "pip uninstall leaves $left"
-echo "$suite, Debian $(cat "$root/etc/debian_version"), $(inside python3 --version): $(ls "$scratch"/out/*.svg | wc -l) drawings of ${#models[@]} samples with the same bytes"
+debian=$(cat "$root/etc/debian_version") python=$(inside python3 --version)
+result="$(ls "$scratch"/out/*.svg | wc -l) drawings of ${#models[@]} samples with the same bytes"
+echo "$suite, Debian $debian, $python: $result"
+"$source/tests/platforms/table.py" add "Debian ${debian#*/}" "the wheel, installed by pip" "$python" "$result"
 umount "$root/proc"
 root=

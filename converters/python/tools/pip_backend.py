@@ -45,19 +45,24 @@ def run(*words: str) -> None:
         raise SystemExit(f"burin: {' '.join(words[:3])} failed with status {error.returncode}; see above") from None
 
 
-def build(folder: pathlib.Path, where: pathlib.Path) -> None:
-    """Builds in `folder` and installs the package `burin` into `where`."""
+def build(folder: pathlib.Path, where: pathlib.Path, tag: str = "") -> None:
+    """Builds in `folder` and installs the package `burin` into `where`; for another Python than this one where the build has its
+    headers and `tag` names it, such as cp313."""
     if not (folder / "CMakeCache.txt").exists():
         run("cmake", "-G", "Ninja", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release",
             "-DBURIN_TESTS=OFF", "-DBURIN_BENCH=OFF", "-Wno-dev", f"-DBURIN_PYTHON_EXECUTABLE={sys.executable}")
-    run("cmake", "--build", str(folder), "--target", "burin_bundle", "burin_python_stub")
+    run("cmake", "--build", str(folder), "--target", "burin_bundle", "burin_python_stub", *([f"burin_python_{tag}"] if tag else []))
     run("cmake", "--install", str(folder), "--component", "bundle", "--strip", "--prefix", str(where))
     # A wheel knows no links: each library has the one name that others load it by.
     for link in [path for path in where.rglob("*.so*") if path.is_symlink()]:
         link.resolve().replace(link)
-    modules = [path.name for path in where.glob("burin/_burin*.so")]
-    if not any(name == "_burin" + str(sysconfig.get_config_var("EXT_SUFFIX")) for name in modules):
-        raise SystemExit(f"burin: {folder} is a build for another Python than {sys.executable}: {modules}; "
+    modules = list(where.glob("burin/_burin*.so"))
+    if tag:
+        for module in modules:
+            module.unlink()
+        run("cmake", "--install", str(folder), "--component", f"python_{tag}", "--strip", "--prefix", str(where))
+    elif not any(module.name == "_burin" + str(sysconfig.get_config_var("EXT_SUFFIX")) for module in modules):
+        raise SystemExit(f"burin: {folder} is a build for another Python than {sys.executable}: {[m.name for m in modules]}; "
                          "choose another folder by --config-settings build-dir=FOLDER")
 
 
@@ -70,9 +75,10 @@ def info_folder() -> str:
     return f"burin-{version()}.dist-info"
 
 
-def pack(top: pathlib.Path, wheel_directory: pathlib.Path, platform: str) -> str:
-    """Writes the files below `top` as a wheel for this Python. Returns its name. The same files give the same bytes."""
-    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+def pack(top: pathlib.Path, wheel_directory: pathlib.Path, platform: str, tag: str = "") -> str:
+    """Writes the files below `top` as a wheel for this Python, or for that of `tag`. Returns its name. The same files give the
+    same bytes."""
+    tag = tag or f"cp{sys.version_info[0]}{sys.version_info[1]}"
     info = info_folder()
     name = f"burin-{version()}-{tag}-{tag}-{platform}.whl"
     files = sorted(path for path in top.rglob("*") if path.is_file())

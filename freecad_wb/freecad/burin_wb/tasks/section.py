@@ -161,9 +161,10 @@ class SectionPanel(Panel):
     # --- what widgets do ---
 
     def _add(self):
-        """Across the axis that looks most to the viewer, through the middle."""
+        """Across the axis that looks most to the viewer, through the middle; of two that do so alike, across the first: an isometric
+        camera is isometric to six digits."""
         to = to_viewer(self.obj)
-        name = max("xy" if abs(to.z) < 0.99 * to.Length else "z", key=lambda axis: abs(AXES[axis].dot(to)))
+        name = max("xy" if abs(to.z) < 0.99 * to.Length else "z", key=lambda axis: round(abs(AXES[axis].dot(to)) / to.Length, 3))
         normal = AXES[name] * (1 if AXES[name].dot(to) >= 0 else -1)
         low, high = self.extent.along(normal)
         self._use([*self._entries(), section.plane(normal, round((low + high) / 2, 6))], len(self._entries()))
