@@ -178,6 +178,25 @@ TEST(ImplicitSpecks, OfManyAllAreFound) {
   EXPECT_FALSE(found.says("implicit.may_miss"));
 }
 
+// Next to its rim one sample sees an eighth of a ball: that is not the ball, whatever the steps.
+TEST(ImplicitSpecks, NoneIsSeenFromOneSideAlone) {
+  constexpr double kRadius = 0.1;
+  const Rng rng(5);
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    const Vec3 at =
+        Vec3(19) + Vec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
+    const auto form = form_of(unite(sphere(3), translate(sphere(kRadius), at)));
+    for (const double tolerance : {0.0008, 0.002, 0.005}) {
+      RunContext context;
+      const auto surface = form->realise({.tolerance = tolerance}, context);
+      const Vec3 size = test::box_of(around(surface->proxy().mesh, at, 1)).size();
+      EXPECT_GT(std::min({size.x, size.y, size.z}), 0.8 * 2 * kRadius)
+          << "ball " << i << ", tolerance " << tolerance;
+      EXPECT_EQ(surface->proxy().topology.component_closed.size(), 2u) << "ball " << i;
+    }
+  }
+}
+
 // So many operations that the budgets end before.
 TEST(ImplicitSpecks, OfAThousandSomeAreSaidToBeMissing) {
   const ImplicitForm form(make_function(with_many(1000)), {}, RunContext());

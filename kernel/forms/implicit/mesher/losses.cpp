@@ -34,6 +34,7 @@ class Losses {
         expected_(survey.mesh),
         made_(mesh),
         own_(vertices_of(expected_)),
+        one_sided_(one_sided_components(mesh, made_, kLarge * mesh.step)),
         dropped_(made_.boxes.size(), 0),
         match_(expected_.boxes.size(), kNone),
         near_(mesh.positions, kReach * mesh.step),
@@ -108,7 +109,7 @@ class Losses {
       return there;
     }
     for (const std::uint32_t m : components_) {
-      if (dropped_[m]) continue;
+      if (dropped_[m] || one_sided_[m]) continue;
       const double size = made_.boxes[m].diagonal();
       if (size < kSmallest * box.diagonal() || size > kLargest * box.diagonal()) continue;
       if (!box.contains(made_.boxes[m].center())) continue;
@@ -132,8 +133,9 @@ class Losses {
     return std::ranges::any_of(own_[e], [&](std::uint32_t u) {
       const Vec3 p = survey_.mesh.positions[u];
       return beside_.any_near(p, [&](std::uint32_t v) {
-        return glm::distance(mesh_.positions[v], p) < near &&
-               made_.boxes[made_.sets.find(v)].diagonal() > kLargest * size;
+        const std::uint32_t m = made_.sets.find(v);
+        return glm::distance(mesh_.positions[v], p) < near && !one_sided_[m] &&
+               made_.boxes[m].diagonal() > kLargest * size;
       });
     });
   }
@@ -144,6 +146,7 @@ class Losses {
   const RunContext& context_;
   MeshComponents expected_, made_;
   std::vector<std::vector<std::uint32_t>> own_;  // vertices of what is expected
+  std::vector<std::uint8_t> one_sided_;          // components of the mesh
   std::vector<std::uint32_t> components_;        // of the mesh
   std::vector<std::uint8_t> dropped_;
   // For each that is expected: the component of the mesh that it is, or one of those above.

@@ -46,6 +46,27 @@ MeshComponents::MeshComponents(const ExactMesh& mesh)
   }
 }
 
+std::vector<std::uint8_t> one_sided_components(const ExactMesh& mesh, MeshComponents& parts,
+                                               double limit) {
+  constexpr double kMostBehind = 0.25;  // of a component's area
+  std::vector<double> area(parts.boxes.size(), 0), behind(parts.boxes.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& tri = mesh.triangles[t];
+    const std::uint32_t set = parts.sets.find(tri[0]);
+    if (parts.boxes[set].diagonal() >= limit) continue;
+    const Vec3 a = mesh.positions[tri[0]];
+    const Vec3 n = glm::cross(mesh.positions[tri[1]] - a, mesh.positions[tri[2]] - a);
+    Vec3 outward(0);
+    for (std::size_t k = 0; k < 3; ++k) outward += mesh.corner_normal(t, k);
+    const double twice = glm::length(n);
+    area[set] += twice;
+    if (glm::dot(n, outward) < 0) behind[set] += twice;
+  }
+  std::vector<std::uint8_t> found(area.size(), 0);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = behind[i] > kMostBehind * area[i];
+  return found;
+}
+
 double largest_component(const ExactMesh& mesh) {
   double most = 0;
   for (const Box3& b : MeshComponents(mesh).boxes)

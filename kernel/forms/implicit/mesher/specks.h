@@ -19,6 +19,12 @@ struct MeshComponents {
   explicit MeshComponents(const ExactMesh& mesh);
 };
 
+/// Components with a diagonal below `limit` model mm of which a grid has seen one side: nonzero by
+/// the name of their set. Triangles close such a component behind the surface, against the normals
+/// at their corners, as those of a ball around one sample next to its rim.
+std::vector<std::uint8_t> one_sided_components(const ExactMesh& mesh, MeshComponents& parts,
+                                               double limit);
+
 /// The largest diagonal of a component's box.
 double largest_component(const ExactMesh& mesh);
 
