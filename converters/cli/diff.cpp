@@ -128,7 +128,6 @@ int diff_two_models(const DiffArguments& arguments, bool quiet, RunContext& cont
     sources.insert(sources.end(), more.begin(), more.end());
   }
   std::vector<Output> outputs = make_outputs(a.outputs, a.format, sources);
-  for (const Side& side : sides) check_models(side.task.inputs());
   for (const Output& output : outputs) output.probe();
   const ThreadLimit limit(sides[1].task.plan.threads);
   Revision before = sides[0].read(context), after = sides[1].read(context);

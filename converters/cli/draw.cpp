@@ -100,7 +100,6 @@ Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene*
   const std::vector<std::string> sources = sources_of(task.inputs(), read);
   std::vector<Output> outputs = make_outputs(arguments.outputs, arguments.format, sources);
   check_lists(plan, outputs, sources);
-  check_models(task.inputs());
   for (const Output& output : outputs) {
     if (!plan.sheet.fits) check_format(output, plan.view.paper, options);
     output.probe();

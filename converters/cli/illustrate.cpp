@@ -99,8 +99,10 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
   }
   const std::string& name = arguments.outputs.front();
   std::optional<DrawPlan> plan;  // refuses what a drawing would
-  if (!extends_another(arguments)) plan = make_plan(arguments.request, Spelling::Options);
-  check_inputs(arguments.inputs);
+  if (!extends_another(arguments)) {
+    plan = make_plan(arguments.request, Spelling::Options);
+    check_inputs(arguments.inputs);
+  }
   Output output(name, *format_named("json"));
   if (!output.is_stdout()) {
     if (!is_illustration(name)) {

@@ -1,7 +1,5 @@
 #include "inputs.h"
 
-#include <burin/converters/read.h>
-
 #include <filesystem>
 
 namespace burin::cli {
@@ -25,10 +23,6 @@ std::vector<std::string> sources_of(const DrawInputs& inputs, const InputFiles& 
     if (is_file(name)) sources.push_back(name);
   }
   return sources;
-}
-
-void check_models(const DrawInputs& inputs) {
-  if (!inputs.illustration) check_inputs(inputs.files);
 }
 
 }  // namespace burin::cli

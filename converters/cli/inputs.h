@@ -13,8 +13,4 @@ namespace burin::cli {
 /// pictures.
 std::vector<std::string> sources_of(const DrawInputs& inputs, const InputFiles& read);
 
-/// Throws as `check_inputs` where models are drawn; those of an illustration are looked at as they
-/// are read.
-void check_models(const DrawInputs& inputs);
-
 }  // namespace burin::cli

@@ -38,7 +38,6 @@ void run_steps(const StepsArguments& arguments, RunContext& context, Console& co
   DrawTask task(find_inputs(draw.inputs), draw.request, Spelling::Options);
   DrawPlan& plan = task.plan;
   check_book_outputs(draw.outputs, sources_of(task.inputs(), read));
-  check_models(task.inputs());
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
 

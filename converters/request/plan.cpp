@@ -14,7 +14,10 @@ namespace burin {
 DrawInputs find_inputs(const std::vector<std::string>& files) {
   const auto found =
       std::ranges::find_if(files, [](const std::string& file) { return is_illustration(file); });
-  if (found == files.end()) return {.files = files};
+  if (found == files.end()) {
+    check_inputs(files);
+    return {.files = files};
+  }
   if (files.size() > 1) {
     throw UsageError(fmt::format(
         "'{}' is an illustration file, which is drawn alone: name the others in its \"parts\"",
@@ -37,7 +40,6 @@ DrawTask::DrawTask(DrawInputs inputs, const DrawRequest& request, Spelling spell
 ReadResult DrawTask::read(RunContext& context) const {
   if (inputs_.given) return *inputs_.given;
   if (inputs_.illustration) return {read_scene(*inputs_.illustration, context)};
-  check_inputs(inputs_.files);
   return read_files(inputs_.files, plan.read, context);
 }
 

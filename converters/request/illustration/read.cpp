@@ -83,7 +83,8 @@ void for_each_file(std::string_view text, const std::string& source, const F& on
   one(in, json);
 }
 
-IllustrationFile read(std::string_view text, const std::string& source) {
+/// `members`: as `parse_illustration` has them; null: nobody asks.
+IllustrationFile read(std::string_view text, const std::string& source, Json* members) {
   IllustrationFile out;
   const std::vector<KeyRow<IllustrationFile>>& rows = detail::rows_of_file();
   for_each_file(text, source, [&](const KeyedFile& in, const Json& json) {
@@ -92,6 +93,7 @@ IllustrationFile read(std::string_view text, const std::string& source) {
       const auto row = std::ranges::find(rows, key, &KeyRow<IllustrationFile>::name);
       if (row == rows.end()) in.unknown(path, key, detail::names_of(rows));
       if (row->read) row->read(in, value, path, out);
+      if (members) (*members)[key] = value;
     }
   });
   return out;
@@ -101,8 +103,11 @@ IllustrationFile read(std::string_view text, const std::string& source) {
 
 bool is_illustration(const fs::path& path) { return path.extension() == ".json"; }
 
-IllustrationFile parse_illustration(std::string_view json, const std::string& source) {
-  IllustrationFile illustration = read(json, source);
+IllustrationFile parse_illustration(std::string_view json, const std::string& source,
+                                    std::string* members) {
+  Json all = Json::object();
+  IllustrationFile illustration = read(json, source, members ? &all : nullptr);
+  if (members) *members = all.dump();
   if (illustration.inputs.empty()) {
     throw UsageError(source +
                      ": has no parts; name models: \"parts\": [{\"file\": \"part.step\"}]");
@@ -111,27 +116,15 @@ IllustrationFile parse_illustration(std::string_view json, const std::string& so
 }
 
 DrawRequest parse_settings(std::string_view json, const std::string& source) {
-  IllustrationFile illustration = read(json, source);
+  IllustrationFile illustration = read(json, source, nullptr);
   if (!illustration.inputs.empty()) {
     throw UsageError(source + ": \"parts\" are those of the scene here");
   }
   return std::move(illustration.request);
 }
 
-IllustrationFile read_illustration(const fs::path& path) {
-  return parse_illustration(bytes_of(path.string()), path.string());
-}
-
-std::string illustration_members(std::string_view json, const std::string& source) {
-  Json all = Json::object();
-  for_each_file(json, source, [&](const KeyedFile& /*in*/, const Json& file) {
-    for (const auto& [key, value] : file.items()) all[key] = value;
-  });
-  return all.dump();
-}
-
-std::string illustration_members(const fs::path& path) {
-  return illustration_members(bytes_of(path.string()), path.string());
+IllustrationFile read_illustration(const fs::path& path, std::string* members) {
+  return parse_illustration(bytes_of(path.string()), path.string(), members);
 }
 
 DrawRequest merged(const DrawRequest& file, const DrawRequest& over) {

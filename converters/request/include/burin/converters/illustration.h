@@ -43,19 +43,17 @@ bool is_illustration(const std::filesystem::path& path);
 
 /// Reads an illustration and what it extends. Files that it names are looked for from its folder.
 /// Throws InputError on broken JSON, UsageError ("FILE:LINE: ...") on unknown keys and values that
-/// a key does not take.
-IllustrationFile read_illustration(const std::filesystem::path& path);
+/// a key does not take. `members`, where given, gets the members of the illustration and, where it
+/// has none of a name, of what it extends, as JSON has them.
+IllustrationFile read_illustration(const std::filesystem::path& path,
+                                   std::string* members = nullptr);
 /// The same from text; `source` names it in errors, its folder is where files are looked for.
-IllustrationFile parse_illustration(std::string_view json, const std::string& source);
+IllustrationFile parse_illustration(std::string_view json, const std::string& source,
+                                    std::string* members = nullptr);
 
 /// All that an illustration says but parts, which it must not have: what a program asks of a scene
 /// that it has. Throws as `parse_illustration`.
 DrawRequest parse_settings(std::string_view json, const std::string& source);
-
-/// The members of an illustration and, where it has none of a name, of what it extends, as JSON has
-/// them. Throws as `parse_illustration`, and tells nothing else of what is wrong.
-std::string illustration_members(std::string_view json, const std::string& source);
-std::string illustration_members(const std::filesystem::path& path);
 
 /// The parts of its inputs, placed. Inputs that are equal but for place and name are read once.
 /// Stage "read". Throws InputError.

@@ -15,7 +15,8 @@ namespace burin {
 
 /// What is drawn.
 struct DrawInputs {
-  /// As the user named them: models, or an illustration alone.
+  /// As the user named them: models, or an illustration alone. `find_inputs` has looked whether
+  /// they are there.
   std::vector<std::string> files = {};
   /// Instead of models: what the illustration says.
   std::optional<IllustrationFile> illustration = {};
@@ -25,7 +26,7 @@ struct DrawInputs {
 };
 
 /// What files are. Reads an illustration, no models. Throws UsageError where an illustration is not
-/// alone; as `read_illustration`.
+/// alone; as `check_inputs`; as `read_illustration`.
 DrawInputs find_inputs(const std::vector<std::string>& files);
 
 /// A drawing that is asked for. Its plan is made once, before anything is read, so that a wrong
