@@ -1,6 +1,7 @@
 #include <burin/base/bracketed_zero.h>
 #include <burin/camera/facing.h>
 #include <burin/feature/isophotes.h>
+#include <burin/feature/light_normals.h>
 #include <burin/feature/source_faces.h>
 
 #include "fairing.h"
@@ -35,14 +36,17 @@ Vec3 bary_on(HalfEdge h, double share) {
 class Isophote : public ZeroSet {
  public:
   Isophote(const ProxyMesh& proxy, const Camera& camera, const IsophoteOptions& options)
-      : ZeroSet(proxy, camera), exact_(options.exact), border_(options.border) {}
+      : ZeroSet(proxy, camera),
+        exact_(options.exact),
+        border_(options.border),
+        normals_(options.normals.empty() ? proxy.wedge_normal : options.normals) {}
 
   /// `back`: the light falls on the backs.
   void look(Vec3 light, double level, bool back) {
     light_ = back ? -light : light;
     level_ = level;
     for (std::size_t w = 0; w < g_.size(); ++w) {
-      g_[w] = glm::dot(proxy_->wedge_normal[w], light_) - level_;
+      g_[w] = glm::dot(normals_[w], light_) - level_;
     }
   }
   /// Leaves out triangles that nobody can see.
@@ -63,8 +67,7 @@ class Isophote : public ZeroSet {
   bool is_straight(std::uint32_t face, double length) const override {
     if (!border_) return false;
     const Triangle& w = proxy_->wedges[face];
-    const Vec3 &a = proxy_->wedge_normal[w[0]], &b = proxy_->wedge_normal[w[1]],
-               &c = proxy_->wedge_normal[w[2]];
+    const Vec3 &a = normals_[w[0]], &b = normals_[w[1]], &c = normals_[w[2]];
     const double bend = 1 - std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
     // An arc of that bend is off its chord by an eighth of it.
     return length * std::sqrt(2 * std::max(bend, 0.0)) < 4 * kRoundness;
@@ -109,13 +112,14 @@ class Isophote : public ZeroSet {
     return other == kNoHalfEdge ? h : std::min(h, other);
   }
   Vec3 normal_at(std::uint32_t face, Vec3 bary) const {
-    return exact_ ? exact_(face, bary).normal : proxy_->normal(face, bary);
+    return exact_ ? exact_(face, bary).normal : light_normal(*proxy_, normals_, face, bary);
   }
 
   Vec3 light_{0};
   double level_ = 0;
   const ExactAt& exact_;
   bool border_;
+  std::span<const Vec3> normals_;
 };
 
 double paper_length(const Camera& camera, const Curve3& curve) {

@@ -4,6 +4,7 @@
 #include <burin/drawing/bezier.h>
 #include <burin/feature/feature.h>
 #include <burin/feature/kind_borders.h>
+#include <burin/feature/light_normals.h>
 #include <burin/illustrate/view_probe.h>
 
 #include "exact_places.h"
@@ -153,9 +154,9 @@ const FaceColors* colors_of(const RegionOptions& options, std::size_t part) {
 }
 
 /// Lines that the drawing has none of.
-std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camera,
-                                 const RegionOptions& options, const LightView* light,
-                                 const RunContext& context) {
+std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& occluders,
+                                 const Camera& camera, const RegionOptions& options,
+                                 const LightView* light, const RunContext& context) {
   std::vector<Curve3> out;
   const auto proxies = occluders.solid_proxies();
   const FeatureOptions silent{.contours = false,
@@ -180,9 +181,11 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
   parallel_for(
       proxies.size(), 1,
       [&](std::size_t i, std::size_t) {
-        isophotes[i] = trace_isophotes(
-            *proxies[i], static_cast<std::int32_t>(i), options.tones[i], camera, context,
-            {.exact = exact_places(*occluders.surfaces()[i]), .border = true});
+        isophotes[i] = trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), options.tones[i],
+                                       camera, context,
+                                       {.exact = exact_places(*occluders.surfaces()[i]),
+                                        .border = true,
+                                        .normals = normals[i]});
       },
       &context);
   for (std::vector<Curve3>& of_one : isophotes) std::ranges::move(of_one, std::back_inserter(out));
@@ -196,16 +199,16 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
 /// The step of tone of a place. The normal of an exact surface is asked for only where those at the
 /// corners of the triangle leave more than one step: between them light bends by less than the
 /// angle between them lets it.
-std::int32_t tone_at(const ProxyMesh& proxy, const ExactAt& exact, const ViewHit& hit,
-                     const Camera& camera, const Isophotes& tones) {
+std::int32_t tone_at(const ProxyMesh& proxy, std::span<const Vec3> normals, const ExactAt& exact,
+                     const ViewHit& hit, const Camera& camera, const Isophotes& tones) {
   const auto [face, bary] = hit.point;
   Vec3 normal = proxy.normal(face, bary);
   const bool closed = proxy.closed(face);
   const bool back = !closed && glm::dot(normal, camera.to_viewer(hit.position)) < 0;
   const double side = back ? -1 : 1;
   const Triangle& w = proxy.wedges[face];
-  const Vec3 &a = proxy.wedge_normal[w[0]], &b = proxy.wedge_normal[w[1]],
-             &c = proxy.wedge_normal[w[2]];
+  const std::span<const Vec3> at = normals.empty() ? proxy.wedge_normal : normals;
+  const Vec3 &a = at[w[0]], &b = at[w[1]], &c = at[w[2]];
   const double bend = 1 - std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
   const Vec3 light = side / glm::length(tones.light) * tones.light;
   const std::array lights{glm::dot(a, light), glm::dot(b, light), glm::dot(c, light)};
@@ -216,17 +219,17 @@ std::int32_t tone_at(const ProxyMesh& proxy, const ExactAt& exact, const ViewHit
   if (const auto one = step(least - bend); one == step(most + bend)) {
     return static_cast<std::int32_t>(one);
   }
-  if (exact) normal = exact(face, bary).normal;
+  normal = exact ? exact(face, bary).normal : light_normal(proxy, normals, face, bary);
   return step_of(tones, side * normal);
 }
 
 /// What is seen at a place of the sheet. All of it must outlive that.
-LabelAt region_label(const Occluders& occluders, const Camera& camera, const RegionOptions& options,
-                     const LightView* light) {
+LabelAt region_label(const LightNormals& normals, const Occluders& occluders, const Camera& camera,
+                     const RegionOptions& options, const LightView* light) {
   std::vector<ExactAt> places;
   for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
   return [probe = view_probe(occluders.solid(), camera), proxies = occluders.solid_proxies(),
-          places = std::move(places), &occluders, &camera, &options, light](Vec2 at) {
+          places = std::move(places), &normals, &occluders, &camera, &options, light](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -240,7 +243,7 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera, const Reg
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
-    label.tone = tone_at(proxy, places[part], *hit, camera, options.tones[part]);
+    label.tone = tone_at(proxy, normals[part], places[part], *hit, camera, options.tones[part]);
     if (light && label.tone > 0 &&
         in_shadow(occluders, {hit->part, hit->point.face}, hit->position,
                   light->camera.direction())) {
@@ -293,16 +296,31 @@ void add_ring(std::vector<Vec2> ring, Area& area) {
   if (kept.size() > 2) area.rings.push_back(std::move(kept));
 }
 
+LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
+                              const RegionOptions& options, const RunContext& context) {
+  const auto proxies = occluders.solid_proxies();
+  LightNormals out(proxies.size());
+  parallel_for(
+      proxies.size(), 1,
+      [&](std::size_t i, std::size_t) {
+        if (options.tones[i].levels.empty() || occluders.surfaces()[i]->exact()) return;
+        out[i] = light_normals(*proxies[i], camera, options.pen, context);
+      },
+      &context);
+  return out;
+}
+
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
-                       const RunContext& context) {
+                       const LightNormals& normals, const RunContext& context) {
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
   Borders borders(camera);
   add_seen(lines, occluders, borders);
   const ViewProbe probe = view_probe(occluders.solid(), camera);
-  const std::vector<Curve3> silent = silent_lines(occluders, camera, options, light, context);
+  const std::vector<Curve3> silent =
+      silent_lines(normals, occluders, camera, options, light, context);
   for (const Curve3& line : silent) Shown(line, probe, camera).add_to(borders);
-  const LabelAt label_at = region_label(occluders, camera, options, light);
+  const LabelAt label_at = region_label(normals, occluders, camera, options, light);
   const PartitionOptions how{.least_tone_width = options.pen, .slack = kSlack};
   return partition(box, borders.get(), label_at, how, context);
 }

@@ -49,6 +49,11 @@ struct SeenLines {
 /// Adds a border of regions to an area, without the points that lie on the line through others.
 void add_ring(std::vector<Vec2> ring, Area& area);
 
+/// `light_normals` of each part; empty ones of exact surfaces, and of parts of one step.
+using LightNormals = std::vector<std::vector<Vec3>>;
+LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
+                              const RegionOptions& options, const RunContext& context);
+
 /// What is seen of solid parts, by part, face, colour and step; parts that can be looked through
 /// have none. Borders are the visible lines, whatever the style draws of them, and lines that it
 /// does not draw: isophotes, smooth edges and seams between faces, borders of colours,
@@ -57,7 +62,7 @@ void add_ring(std::vector<Vec2> ring, Area& area);
 /// ray a mm of isophotes. Throws Cancelled.
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
-                       const RunContext& context);
+                       const LightNormals& normals, const RunContext& context);
 
 /// What is seen of each part, whatever else parts the sheet; by part.
 std::vector<Area> silhouettes(const Partition& partition);

@@ -139,6 +139,7 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
   if (areas.empty()) return verify;
   const bool shadows = style.shadow.cast;
   verify.areas = {areas, region_options(scene, part_styles, camera, shadows).tones};
+  verify.areas->pen = style.line.crease;
   if (shadows) verify.areas->shadows = tone::to_light(camera, style.tone);
   return verify;
 }
@@ -232,11 +233,19 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
       parted.options.pen = style.line.crease;
       if (style.shadow.cast) parted.options.shadows = to_light;
       const auto parts = regions_.get(parted, [&] {
+        Toned toned{occluders, camera, parted.options.pen, {}};
+        for (const Isophotes& tones : parted.options.tones) {
+          toned.steps.push_back(!tones.levels.empty());
+        }
+        const auto normals = light_normals_.get(toned, [&] {
+          return std::make_shared<LightNormals>(
+              light_normals_of(*occluders, camera, parted.options, context));
+        });
         const Sight& sight = lines->sight;
         const LightView* from_light = style.shadow.cast && *light ? &**light : nullptr;
         return std::make_shared<Partition>(
             find_regions(parted.box, {sight.features(), sight.feature_spans()}, *occluders, camera,
-                         parted.options, from_light, context));
+                         parted.options, from_light, *normals, context));
       });
       if (pointed_at && options.annotations->callouts) {
         labels.whole = labels.areas;

@@ -73,6 +73,14 @@ class Stages {
     RegionOptions options;
     bool operator==(const Parted&) const = default;
   };
+  struct Toned {
+    std::shared_ptr<const Occluders> occluders;
+    Camera camera;
+    double pen = 0;
+    /// One a part: whether its tone has steps.
+    std::vector<bool> steps;
+    bool operator==(const Toned&) const = default;
+  };
   struct Shaded {
     std::shared_ptr<const Occluders> occluders;
     Vec3 to_light{0};
@@ -104,6 +112,7 @@ class Stages {
   Kept<Seen, Spans> seen_;
   Kept<LabelRequest, Labels> labels_;
   Kept<Parted, Partition> regions_;
+  Kept<Toned, LightNormals> light_normals_;
   Kept<Lit, std::optional<LightView>> light_;
   Kept<Shaded, std::optional<Area>> shadow_;
 };

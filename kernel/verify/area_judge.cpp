@@ -1,6 +1,8 @@
+#include <burin/feature/light_normals.h>
 #include <burin/verify/areas.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -28,8 +30,18 @@ const char* to_string(AreaFinding finding) {
   return "";
 }
 
-AreaJudge::AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses)
-    : rule_(rule), witnesses_(witnesses), areas_(rule.areas, kBeside) {}
+AreaJudge::AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses,
+                     const RunContext& context)
+    : rule_(rule), witnesses_(witnesses), areas_(rule.areas, kBeside) {
+  const Referee& toned = witnesses.toned ? *witnesses.toned : witnesses.solid;
+  normals_.resize(toned.surfaces().size());
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    const auto& surface = toned.surfaces()[i];
+    const bool steps = i < rule.tones.size() && !rule.tones[i].levels.empty();
+    if (!steps || !surface || surface->exact()) continue;
+    normals_[i] = light_normals(surface->proxy(), toned.camera(), rule.pen, context);
+  }
+}
 
 bool AreaJudge::is_glass(std::int32_t part) const {
   const auto i = static_cast<std::size_t>(part);
@@ -65,28 +77,49 @@ std::pair<std::int32_t, std::int32_t> AreaJudge::tones_of(const Referee::Sheet& 
   return {0, most};
 }
 
+/// By which the tone of a sheet is told: at its place, and at the corners of its triangle. Of
+/// meshes as coarse as they were drawn where they are found there.
+std::array<Vec3, 4> AreaJudge::lit_normals(const Referee::Sheet& sheet) const {
+  const auto part = static_cast<std::size_t>(sheet.part);
+  const Referee* referee = &witnesses_.solid;
+  Referee::Sheet at = sheet;
+  std::span<const Vec3> normals;
+  if (!witnesses_.toned) {
+    normals = normals_[part];
+  } else if (!sheet.exact) {
+    const Vec2 paper = witnesses_.solid.camera().to_paper(sheet.place);
+    witnesses_.toned->may_see(paper, [&](const Referee::Sheet& coarse) {
+      if (coarse.part != sheet.part) return false;
+      referee = witnesses_.toned;
+      at = coarse;
+      normals = normals_[part];
+      return true;
+    });
+  }
+  std::array<Vec3, 4> out{referee->normal(at, normals)};
+  for (int corner = 0; corner < 3; ++corner) {
+    at.point.bary = Vec3(0);
+    at.point.bary[corner] = 1;
+    out[static_cast<std::size_t>(corner) + 1] = referee->normal(at, normals);
+  }
+  return out;
+}
+
 /// The same where nothing casts a shadow.
 std::pair<std::int32_t, std::int32_t> AreaJudge::lit_tones_of(const Referee::Sheet& sheet) const {
   const Isophotes& tones = rule_.tones[static_cast<std::size_t>(sheet.part)];
   const auto lightest = static_cast<std::int32_t>(tones.levels.size());
   // The face that closes a cut is none of the shape: it is lit in full.
   if (sheet.cut) return {lightest, lightest};
-  const Vec3 normal = witnesses_.solid.normal(sheet);
+  const std::array<Vec3, 4> normals = lit_normals(sheet);
   if (rule_.facet_light <= 0 || sheet.exact) {
-    const std::int32_t tone = step_of(tones, normal);
+    const std::int32_t tone = step_of(tones, normals[0]);
     return {tone, tone};
   }
   // Of noise no normal is the right one: any between the corners may be.
   const Vec3 light = glm::normalize(tones.light);
-  Vec3 least = normal, most = normal;
-  for (int corner = 0; corner < 3; ++corner) {
-    Referee::Sheet there = sheet;
-    there.point.bary = Vec3(0);
-    there.point.bary[corner] = 1;
-    const Vec3 other = witnesses_.solid.normal(there);
-    if (glm::dot(other, light) < glm::dot(least, light)) least = other;
-    if (glm::dot(other, light) > glm::dot(most, light)) most = other;
-  }
+  const auto [least, most] =
+      std::ranges::minmax(normals, {}, [&](const Vec3& normal) { return glm::dot(normal, light); });
   const Vec3 more = rule_.facet_light * light;
   return {step_of(tones, least - more), step_of(tones, most + more)};
 }

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/feature/light_normals.h>
 #include <burin/mesh/chord_error.h>
 #include <burin/verify/referee.h>
 
@@ -208,11 +209,12 @@ bool Referee::may_see(Vec2 paper, const std::function<bool(const Sheet&)>& accep
   return taken;
 }
 
-Vec3 Referee::normal(const Sheet& sheet) const {
+Vec3 Referee::normal(const Sheet& sheet, std::span<const Vec3> light_normals) const {
   const Surface& surface = *surfaces_[static_cast<std::size_t>(sheet.part)];
   const ProxyMesh& proxy = surface.proxy();
-  const Vec3 normal = surface.exact() ? surface.frame(surface.lift(sheet.point)).normal
-                                      : proxy.normal(sheet.point.face, sheet.point.bary);
+  const Vec3 normal = surface.exact()
+                          ? surface.frame(surface.lift(sheet.point)).normal
+                          : light_normal(proxy, light_normals, sheet.point.face, sheet.point.bary);
   const bool away = glm::dot(normal, camera_.to_viewer(sheet.place)) < 0;
   return away && !proxy.closed(sheet.point.face) ? -normal : normal;
 }

@@ -2,6 +2,7 @@
 #include <burin/base/parallel.h>
 #include <burin/verify/referee.h>
 #include <burin/verify/verify.h>
+#include <burin/verify/wrong_areas.h>
 
 #include <fmt/format.h>
 
@@ -223,6 +224,14 @@ class Referees {
   const Referee& all() const { return *all_; }
   /// Of those that cannot be looked through.
   const Referee& solid() const { return *solid_; }
+  /// Meshes that cannot be looked through, as coarse as `tolerance`.
+  Referee coarse_meshes(const Scene& scene, double tolerance,
+                        const std::vector<double>& crease_angles, RunContext& context) const {
+    std::vector<bool> wanted;
+    for (const auto& fine : solid_->surfaces()) wanted.push_back(fine && !fine->exact());
+    return Referee(fine_surfaces(scene, tolerance, wanted, crease_angles, context),
+                   solid_->camera(), solid_->options(), context);
+  }
   /// Null where the part has no fine surface.
   const Referee* of(std::int32_t part) const {
     const auto i = static_cast<std::size_t>(part);
@@ -281,15 +290,17 @@ Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<c
 
 void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
                 const VerifyOptions& options, const Referees& referees, Diagnostics& diagnostics,
-                const RunContext& context, Verification& out) {
+                RunContext& context, Verification& out) {
   AreaRule rule = *options.areas;
   rule.facet_light = kFacetLight;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     rule.glass.push_back(flagged(options, i, PartOpacity::Transparent));
   }
+  const Referee coarse =
+      referees.coarse_meshes(scene, options.tolerance, options.crease_angles, context);
   const AreaWitnesses witnesses{referees.solid(), referees.all(),
-                                [&](std::int32_t part) { return referees.of(part); }};
-  const AreaJudge judge(rule, witnesses);
+                                [&](std::int32_t part) { return referees.of(part); }, &coarse};
+  const AreaJudge judge(rule, witnesses, context);
   const AreaFindings found =
       wrong_areas(judge, used_sheet(drawing, lines, rule.areas), drawing.seed, context);
   out.area = found.tested;

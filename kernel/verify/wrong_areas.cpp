@@ -1,7 +1,7 @@
 #include <burin/base/box.h>
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
-#include <burin/verify/areas.h>
+#include <burin/verify/wrong_areas.h>
 
 #include <algorithm>
 #include <cmath>

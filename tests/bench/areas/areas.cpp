@@ -150,9 +150,10 @@ void run(const Task& asked) {
   Isophotes light{tone::to_light(camera, style.tone), even_levels(std::max<std::size_t>(steps, 1))};
   if (style.shadow.cast && light.levels.empty()) light.levels = {tone::kUnlit};
   AreaRule rule{drawing.areas, std::vector<Isophotes>(scene.parts.size(), light)};
+  rule.pen = style.line.crease;
   if (style.shadow.cast) rule.shadows = light.light;
   const AreaWitnesses witnesses{referee, referee};
-  const AreaJudge judge(rule, witnesses);
+  const AreaJudge judge(rule, witnesses, context);
   Box2 box;
   std::size_t rings = 0, corners = 0;
   for (const Area& area : drawing.areas) {

@@ -7,6 +7,7 @@
 #include <burin/illustrate/view_probe.h>
 #include <burin/tone/catalogue.h>
 #include <burin/verify/areas.h>
+#include <burin/verify/wrong_areas.h>
 
 #include "burin_test/rings.h"
 #include "burin_test/shapes.h"
@@ -156,9 +157,10 @@ void expect_true(const Random& random, const Drawing& drawing, std::uint64_t see
   const Referee referee(fine, camera, {}, context);
   const auto steps = static_cast<std::size_t>(std::max(random.style.fill.steps, 1));
   const Isophotes light{tone::to_light(camera, random.style.tone), even_levels(steps)};
-  const AreaRule rule{drawing.areas, std::vector<Isophotes>(random.scene.parts.size(), light)};
+  AreaRule rule{drawing.areas, std::vector<Isophotes>(random.scene.parts.size(), light)};
+  rule.pen = random.style.line.crease;
   const AreaWitnesses witnesses{referee, referee};
-  const AreaJudge judge(rule, witnesses);
+  const AreaJudge judge(rule, witnesses, context);
   const Box2 sheet{Vec2(0), Vec2(drawing.paper_width, drawing.paper_height)};
   for (const WrongArea& wrong : wrong_areas(judge, sheet, seed, context).wrong) {
     const AreaAnswer& a = wrong.answer;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <utility>
 
 namespace burin {
@@ -90,6 +91,21 @@ TEST(VerifyAreas, ThoseOfADrawingHold) {
   s.style.fill.color = "none";
   s.options = {.verify = true};
   EXPECT_EQ(s.draw().stats.verify->area, 0) << "there are none";
+}
+
+TEST(VerifyAreas, ThoseOfANoisyMeshHold) {
+  Shown s;
+  s.scene.parts.clear();
+  TriMesh ring = test::torus(12, 5, 40, 16);  // coarse: rays meet finer triangles than are drawn
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.2, 0.2);
+  for (Vec3& p : ring.positions) p += Vec3(off(random), off(random), off(random));
+  s.scene.parts.push_back({"ring", "ring", std::make_shared<MeshForm>(std::move(ring))});
+  s.style.fill.steps = 3;
+  s.options = {.verify = true};
+  const Drawing d = s.draw();
+  ASSERT_TRUE(d.stats.verify);
+  EXPECT_EQ(d.stats.verify->wrong_patches, 0) << d.stats.verify->wrong_area;
 }
 
 TEST(VerifyAreas, AnAreaOfAnotherPartIsWrong) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -44,6 +45,8 @@ struct IsophoteOptions {
   /// For borders of areas: without what faces away on closed components, not faired, and found in
   /// fewer steps.
   bool border = false;
+  /// `light_normals` of the proxy.
+  std::span<const Vec3> normals{};
 };
 
 /// Curves of a proxy on which normal . light is one of the levels, hidden ones too: of kind

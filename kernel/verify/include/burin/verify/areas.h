@@ -1,7 +1,6 @@
 #pragma once
 /// The areas of a drawing beside rays.
 
-#include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/base/vec.h>
 #include <burin/drawing/areas_at.h>
@@ -9,6 +8,7 @@
 #include <burin/feature/isophotes.h>
 #include <burin/verify/referee.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -48,6 +48,8 @@ struct AreaRule {
   std::vector<bool> glass{};
   /// Light (a cosine) by which a normal between facets may be off: another tessellation has others.
   double facet_light = 0;
+  /// Paper mm, as `light_normals` has it.
+  double pen = 0;
   /// From the model to the light by which solid parts cast shadows, which have the step 0; nothing:
   /// none do.
   std::optional<Vec3> shadows{};
@@ -61,13 +63,16 @@ struct AreaWitnesses {
   /// For each part: of the solid ones and itself. Null where it has no surface; then its areas
   /// hold.
   std::function<const Referee*(std::int32_t part)> with = {};
+  /// Of meshes as coarse as they were drawn: what is noise of their triangles depends on these
+  /// (`light_normals`). Null: the solid parts are.
+  const Referee* toned = nullptr;
 };
 
 /// Compares areas with rays at single places. Read by many threads.
 class AreaJudge {
  public:
-  /// Both must outlive the judge, and so must what they refer to.
-  AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses);
+  /// Both must outlive the judge, and so must what they refer to. Throws Cancelled.
+  AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses, const RunContext& context);
 
   /// What speaks against the areas at the very place (paper mm).
   AreaAnswer at(Vec2 paper) const;
@@ -85,6 +90,7 @@ class AreaJudge {
   };
   Claim claim(Vec2 paper) const;
   std::pair<std::int32_t, std::int32_t> tones_of(const Referee::Sheet& sheet) const;
+  std::array<Vec3, 4> lit_normals(const Referee::Sheet& sheet) const;
   std::pair<std::int32_t, std::int32_t> lit_tones_of(const Referee::Sheet& sheet) const;
   AreaAnswer ask(const Claim& claim, Vec2 paper) const;
   AreaAnswer ask_solid(const AreaFacts& stated, Vec2 paper) const;
@@ -94,28 +100,8 @@ class AreaJudge {
   const AreaRule& rule_;
   const AreaWitnesses& witnesses_;
   AreasAt areas_;
+  /// By part: `light_normals`.
+  std::vector<std::vector<Vec3>> normals_;
 };
-
-/// A patch where areas state what no ray sees.
-struct WrongArea {
-  AreaAnswer answer;
-  /// mm^2 of paper, and a place in it.
-  double size = 0;
-  Vec2 at{0};
-};
-
-struct AreaFindings {
-  /// mm^2 of paper that were tested.
-  double tested = 0;
-  std::vector<WrongArea> wrong;
-};
-
-/// Tests a box of the sheet (paper mm): a seeded random place in each square of 0.5 mm, of a larger
-/// one where these would be more than a million. Squares side by side with one kind of wrong places
-/// are one patch; 16 places in each say how much of it is wrong. Patches of 0.25 mm^2 and more are
-/// listed, the largest first. The same for any number of threads. Throws Cancelled. Cost: that of
-/// `AreaJudge::test`, and a search along a row of the sheet.
-AreaFindings wrong_areas(const AreaJudge& judge, const Box2& box, std::uint64_t seed,
-                         const RunContext& context);
 
 }  // namespace burin

@@ -77,8 +77,12 @@ class Referee {
   /// than both tessellations may be off: any of them may be the one that is seen. False where there
   /// is paper.
   bool may_see(Vec2 paper, const std::function<bool(const Sheet&)>& accepts) const;
-  /// Of the exact surface where there is one, of the side that is looked at.
-  Vec3 normal(const Sheet& sheet) const;
+  /// Of the exact surface where there is one, else that between the `light_normals` of its proxy;
+  /// of the side that is looked at.
+  Vec3 normal(const Sheet& sheet, std::span<const Vec3> light_normals) const;
+  const FineSurfaces& surfaces() const { return surfaces_; }
+  const Camera& camera() const { return camera_; }
+  const RefereeOptions& options() const { return options_; }
   /// What stands between a sheet and a light far away.
   enum class Shade : std::uint8_t { Lit, Shaded, Unsure };
   /// `to_light`: from the model. Unsure: what shades it, or does not, is as near to the sheet as
