@@ -184,8 +184,9 @@ Scene read(const std::filesystem::path& path, const std::string& encoding, RunCo
     const Models::Made& made = models.of(cad);
     const Placement place = place_of(cad);
     CadPaint paint = paints.of(cad, made.from);
-    Part part{std::move(cad.name),     path.string(),          form_of(made, place),
-              std::move(cad.assembly), std::move(paint.look.color), std::move(cad.definition)};
+    Part part{std::move(cad.name),         path.string(),
+              form_of(made, place),        std::move(cad.assembly),
+              std::move(paint.look.color), std::move(cad.definition)};
     part.opacity = paint.look.opacity;
     part.face_colors = std::move(paint.faces);
     part.pieces = pieces_of(cad, made, place);

@@ -25,8 +25,8 @@ class LabelColors {
   Appearance of(const CadBody& body) const;
   /// The colours of the faces of bodies, each where it is not that of its body; none where the
   /// bodies have one colour and no face has another. Areas by OCCT: 0.1 ms a face.
-  std::shared_ptr<const std::vector<CadFaces>> faces_of(const std::vector<CadBody>& bodies,
-                                                        const std::vector<Appearance>& colors) const;
+  std::shared_ptr<const std::vector<CadFaces>> faces_of(
+      const std::vector<CadBody>& bodies, const std::vector<Appearance>& colors) const;
 
  private:
   void add(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);

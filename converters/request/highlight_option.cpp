@@ -17,13 +17,28 @@ using Json = nlohmann::json;
 
 constexpr const char* kHighlight = "orange";
 
-/// The look of all parts but the highlighted ones: thin grey lines, no strokes, hardly any shade.
-/// Hatching over their colours is as grey, in the tones that have it.
+/// The colour of the paper with a share of ink.
+std::string pale(const Style& whole, double share) {
+  const Rgb white{255, 255, 255};
+  return to_text(over(rgb_of(whole.sheet.ink).value_or(Rgb{}), share,
+                      rgb_of(whole.sheet.paper).value_or(white)));
+}
+
+/// The look of all parts but the highlighted ones: thin grey lines, no strokes, hardly any shade;
+/// on white paper pale grey. Hatching over their colours is as grey, in the tones that have it.
 std::string in_background(const Style& whole) {
-  Json look = {{"line.color", "#8c8c8c"},   {"line.outer", 0.25},      {"line.contour", 0.15},
-               {"line.crease", 0.12},       {"line.boundary", 0.15},   {"line.smooth", 0.09},
-               {"line.intersection", 0.12}, {"fill.color", "#f4f4f4"}, {"fill.ink", ""},
-               {"fill.legend", false},      {"tone.darkest", 0.92}};
+  constexpr double kFill = 11 / 255.0, kLine = 115 / 255.0;
+  Json look = {{"line.color", pale(whole, kLine)},
+               {"line.outer", 0.25},
+               {"line.contour", 0.15},
+               {"line.crease", 0.12},
+               {"line.boundary", 0.15},
+               {"line.smooth", 0.09},
+               {"line.intersection", 0.12},
+               {"fill.color", pale(whole, kFill)},
+               {"fill.ink", ""},
+               {"fill.legend", false},
+               {"tone.darkest", 0.92}};
   if (whole.fill.hatch.lines == FillHatch::Lines::None) {
     look["tone.steps"] = "none";
   } else {

@@ -366,8 +366,8 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
-    annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing),
-             style.callout, context);
+    annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
+             context);
     hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;

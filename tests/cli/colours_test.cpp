@@ -122,6 +122,13 @@ TEST_F(Colours, OfGlassAreOpaqueWhereALookSaysSo) {
   EXPECT_TRUE(any);
 }
 
+TEST_F(Colours, HighlightsLeaveTheOthersPaleOnAnyPaper) {
+  const std::string core = "--style flat --hide glass --highlight core ";
+  EXPECT_EQ(fills(drawn(core)).at("side"), Strings{"#f4f4f4"});
+  EXPECT_EQ(fills(drawn(core + "--set sheet.paper=#101010 --set sheet.ink=#ffffff")).at("side"),
+            Strings{"#1a1a1a"});
+}
+
 TEST_F(Colours, HighlightsHaveTonesOnWhichLinesAreSeen) {
   drawn("--style cel --highlight core=red");
   EXPECT_EQ(err_, "");

@@ -22,7 +22,7 @@ constexpr double kRounding = 0.03;  // of eight bits
 Drawing ball(const std::string& color, const Style& style) {
   Scene scene;
   scene.parts.push_back(
-      {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 48, 24))});
+      {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 32, 16))});
   scene.parts[0].color = color;
   RunContext context;
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
