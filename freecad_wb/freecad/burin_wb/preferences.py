@@ -43,8 +43,8 @@ def template():
     return group().GetString("Template", "")
 
 
-# Pixels of a symbol that TechDraw takes for a millimetre of paper.
-PIXELS_PER_MM = 3.78
+# Pixels of a symbol that TechDraw takes for a millimetre of paper; in FreeCAD 1.1 a pixel is a unit of its page.
+PIXELS_PER_MM = 3.78 if [int(n) for n in FreeCAD.Version()[:2]] < [1, 1] else 10.0
 
 
 def _pixels_key():

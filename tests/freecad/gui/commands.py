@@ -539,10 +539,10 @@ class Pages(support.Case):
         try:
             page = self.place()
             self.assertTrue(support.until(lambda: abs(preferences.pixels_per_mm() - 3.54) > 1e-3), "nothing was measured")
-            self.assertAlmostEqual(preferences.pixels_per_mm(), 3.78, 5)
+            self.assertAlmostEqual(preferences.pixels_per_mm(), preferences.PIXELS_PER_MM, 5)
             support.settle(100)
             self.assertIn(10.0, self.exported_scales(page))
-            self.assertAlmostEqual(page_scale.measure(page), 3.78, 5)
+            self.assertAlmostEqual(page_scale.measure(page), preferences.PIXELS_PER_MM, 5)
         finally:
             preferences.set_pixels_per_mm(true)
 

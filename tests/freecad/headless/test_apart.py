@@ -18,6 +18,7 @@ from freecad.burin_wb.features.extent import Extent
 from freecad.burin_wb.features.free_place import extent
 from freecad.burin_wb.features.illustration import make_illustration, make_job
 from freecad.burin_wb.features.sheet import Sheet
+from freecad.burin_wb.preferences import PIXELS_PER_MM
 
 
 class Apart(Case):
@@ -173,7 +174,7 @@ class Apart(Case):
         self.assertEqual([sheet.get(f"C{row}") for row in (2, 3, 4)], [1, 1, 2])
         width, height = extent(view)
         self.assertGreater(abs(view.Y.Value - drawn_.Y.Value), height / 2, "beside the drawing")
-        self.assertAlmostEqual(width, 660 / 3.78, 1)
+        self.assertAlmostEqual(width, 660 / PIXELS_PER_MM, 1)
         self.doc.removeObject("Lid")
         self.doc.recompute()
         self.assertIs(spreadsheet.write(obj, asking.items_of(obj)), sheet)

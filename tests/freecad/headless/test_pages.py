@@ -15,6 +15,7 @@ from freecad.burin_wb.features.sheet import Sheet
 from freecad.burin_wb.features.free_place import extent, free_place
 from freecad.burin_wb.features.sheet_view import add_template, blank_template, sheet_center
 from freecad.burin_wb.features.symbol import Window, parted, to_symbol
+from freecad.burin_wb.preferences import PIXELS_PER_MM
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -25,15 +26,15 @@ class Pages(Case):
         return page
 
     def test_a_symbol_has_true_scale(self):
-        # 100 mm of sheet at TechDraw's 3.78 pixels a mm: the size is whole pixels, a user unit is exactly 1 mm.
+        # 100 mm of sheet at TechDraw's pixels a mm: the size is whole pixels, a user unit is exactly 1 mm.
         for width, height in ((100, 100), (180, 130), (33.3, 77.7)):
             svg = f'<svg xmlns="x" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}"/>'
             symbol = to_symbol(svg, Window(0, 0, width, height))
             found = re.search(r'width="(\d+)" height="(\d+)" viewBox="0.0+ 0.0+ (\S+) (\S+)"', symbol)
             w, h, vw, vh = (float(v) for v in found.groups())
-            self.assertAlmostEqual(w / vw, 3.78, delta=1e-6)
-            self.assertAlmostEqual(h / vh, 3.78, delta=1e-6)
-            self.assertTrue(0 <= vw - width < 1 / 3.78 + 1e-6 and 0 <= vh - height < 1 / 3.78 + 1e-6)
+            self.assertAlmostEqual(w / vw, PIXELS_PER_MM, delta=1e-6)
+            self.assertAlmostEqual(h / vh, PIXELS_PER_MM, delta=1e-6)
+            self.assertTrue(0 <= vw - width < 1 / PIXELS_PER_MM + 1e-6 and 0 <= vh - height < 1 / PIXELS_PER_MM + 1e-6)
         with self.assertRaises(ValueError):
             to_symbol("<svg/>", Window(0, 0, 1, 1))
 
@@ -45,8 +46,8 @@ class Pages(Case):
         places = [place for p in root.iter(SVG + "path") for place in self.walk(p.get("d"))]
         xs, ys = zip(*places)
         pixels = float(root.get("width")) / float(root.get("viewBox").split()[2])
-        self.assertAlmostEqual((max(xs) - min(xs)) * pixels / 3.78, 100, delta=0.005)
-        self.assertAlmostEqual((max(ys) - min(ys)) * pixels / 3.78, 50, delta=0.005)
+        self.assertAlmostEqual((max(xs) - min(xs)) * pixels / PIXELS_PER_MM, 100, delta=0.005)
+        self.assertAlmostEqual((max(ys) - min(ys)) * pixels / PIXELS_PER_MM, 50, delta=0.005)
 
     @staticmethod
     def walk(d):
@@ -75,7 +76,7 @@ class Pages(Case):
         self.assertNotEqual(view.Symbol, before)
         obj.Width = 100
         self.doc.recompute()
-        self.assertLess(abs(float(re.search(r'width="(\d+)"', view.Symbol).group(1)) / 3.78 - self.ink(obj)[0]), 2)
+        self.assertLess(abs(float(re.search(r'width="(\d+)"', view.Symbol).group(1)) / PIXELS_PER_MM - self.ink(obj)[0]), 2)
         view.Trim = False
         self.doc.recompute()
         self.assertIn('width="378"', view.Symbol)
