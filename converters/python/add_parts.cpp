@@ -14,6 +14,7 @@
 
 #include "arrays.h"
 #include "function.h"
+#include "look.h"
 #include "run.h"
 #include "text.h"
 
@@ -176,9 +177,12 @@ PaintedFaces painted(const BrepShape& shape, const std::string& color,
   }
   for (std::string& one : face_colors) {
     if (one.empty()) one = color;
-    if (!one.empty() && !rgb_of(one)) {
-      throw UsageError(fmt::format("argument face_colors takes colours #rrggbb, not '{}'", one));
+    const std::optional<Rgba> known = hex_color(one);
+    if (!one.empty() && !known) {
+      throw UsageError(
+          fmt::format("argument face_colors takes colours #rrggbb or #rrggbbaa, not '{}'", one));
     }
+    if (known) one = color_text(look_of(*known));
   }
   return painted_faces(face_colors, areas);
 }
@@ -193,7 +197,9 @@ Part brep_part(const py::object& brep, const py::object& placement, const std::s
   Part part;
   part.form = shape->form(place);
   PaintedFaces paint = painted(*shape, color, std::move(face_colors));
-  part.color = std::move(paint.color);
+  const Appearance look = look_of(paint.color);
+  part.color = look.color;
+  part.opacity = look.opacity;
   part.face_colors = std::move(paint.faces);
   return part;
 }

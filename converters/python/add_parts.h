@@ -40,8 +40,9 @@ PolygonSoup soup_of(const py::object& vertices, const py::object& triangles);
 
 PyBrep read_brep(const py::object& brep);
 bool is_valid(const PyBrep& brep);
-/// `brep`: a PyBrep, or text. `face_colors`: of each face, "#rrggbb" or empty, which is `color`;
-/// none: all of it has `color`. Throws UsageError where there are more or fewer.
+/// `brep`: a PyBrep, or text. `face_colors`: of each face, "#rrggbb", of glass "#rrggbbaa", or
+/// empty, which is `color`; none: all of it has `color`. Throws UsageError where there are more or
+/// fewer.
 Part brep_part(const py::object& brep, const py::object& placement, const std::string& color,
                std::vector<std::string> face_colors);
 Part mesh_part(const py::object& vertices, const py::object& triangles, const py::object& texture,

@@ -226,8 +226,10 @@ void add_scene(py::module_& module) {
           "`placement` is a 4 x 4 affine matrix (row major, acts on columns): it may turn, mirror, "
           "stretch and shear, and not flatten. One part, "
           "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
-          "0. `face_colors`: a colour for each face, where they have several; an empty one is "
-          "`color`, and the part then has the colour of most of its area.")
+          "0. `face_colors`: a colour for each face, where they have several, of glass "
+          "\"#rrggbbaa\" "
+          "with its opacity; an empty one is `color`, and the part then has the colour of most of "
+          "its area.")
       .def(
           "add_mesh",
           [](const Owner& self, const py::object& vertices, const py::object& triangles,

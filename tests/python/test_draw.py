@@ -70,7 +70,7 @@ class Areas(unittest.TestCase):
     def test_highlights_of_a_style_with_a_spot_ink_are_printed_in_inks(self):
         def inks_of(highlight):
             drawing = burin.draw(SAMPLES / "coupling.step", style="duotone", highlight=highlight)
-            inks = [d["code"] for d in drawing.diagnostics if d["code"].startswith("fill.ink")]
+            inks = [d.code for d in drawing.diagnostics if d.code.startswith("fill.ink")]
             self.assertEqual(inks, [])
             names = {part["id"]: part["name"] for part in drawing.parts}
             found = {True: set(), False: set()}

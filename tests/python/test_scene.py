@@ -148,6 +148,15 @@ class Colours(unittest.TestCase):
         part.color = "#7090b0"
         self.assertEqual(fills(), {"#7090b0"})
 
+    def test_of_glass_have_an_opacity(self):
+        scene = burin.Scene()
+        part = scene.add_brep(PLATE, face_colors=["#80c0ff66"] * 7)
+        self.assertEqual(part.color, "#80c0ff")
+        self.assertAlmostEqual(part.opacity, 0.4)
+        self.assertEqual(scene.add_brep(PLATE, face_colors=["#80c0ff66"] + [""] * 6, color="#808080").opacity, 1)
+        with self.assertRaisesRegex(burin.UsageError, "#rrggbb or #rrggbbaa, not '#80c0f'"):
+            scene.add_brep(PLATE, face_colors=["#80c0f"] * 7)
+
 
 class Joined(unittest.TestCase):
     def test_a_part_of_two_looks_is_counted_once(self):
