@@ -110,12 +110,9 @@ std::string json_of(const py::object& mapping) {
   return py::module_::import("json").attr("dumps")(mapping).cast<std::string>();
 }
 
-/// The members of an illustration and of what it extends, as they stand.
-py::dict members_of(const py::object& source) {
-  const std::string json = is_mapping(source)
-                               ? illustration_members(json_of(source), "illustration")
-                               : illustration_members(std::filesystem::path(path_text(source)));
-  return py::module_::import("json").attr("loads")(json).cast<py::dict>();
+IllustrationFile illustration_of(const py::object& source, std::string* members) {
+  if (!is_mapping(source)) return read_illustration(path_text(source), members);
+  return parse_illustration(json_of(source), "illustration", members);
 }
 
 /// What stands there, one or a list, as a list.
@@ -129,7 +126,9 @@ py::list list_at(const py::dict& members, const char* name) {
 }
 
 py::dict illustration(const py::object& source) {
-  const IllustrationFile file = illustration_of(source);
+  std::string as_json;
+  const IllustrationFile file = illustration_of(source, &as_json);
+  const auto members = py::module_::import("json").attr("loads")(as_json).cast<py::dict>();
   const DrawPlan plan = make_plan(file.request, Spelling::Keywords);
   const auto named = given_texts(file.request.options, "style");
   py::dict out;
@@ -144,7 +143,6 @@ py::dict illustration(const py::object& source) {
   for (std::size_t i = 0; i < plan.looks.size(); ++i) {
     out["looks"].attr("append")(dict_of(plan.looks[i], file.request.looks[i].style));
   }
-  const py::dict members = members_of(source);
   out["sections"] = list_at(members, "section");
   out["explode"] = plan.explode.wanted ? py::object(members["explode"]) : py::none();
   out["views"] = plan.views;
@@ -194,8 +192,7 @@ std::vector<std::size_t> selected(const py::iterable& parts, const std::string& 
 }  // namespace
 
 IllustrationFile illustration_of(const py::object& source) {
-  if (!is_mapping(source)) return read_illustration(path_text(source));
-  return parse_illustration(json_of(source), "illustration");
+  return illustration_of(source, nullptr);
 }
 
 DrawRequest settings_of(const py::object& mapping) {

@@ -1,5 +1,4 @@
 // burin convert, and its files read again by other programs.
-#include <burin/illustrate/style.h>
 
 #include "models.h"
 
@@ -53,14 +52,9 @@ class Convert : public CliTest {
 };
 
 TEST_F(Convert, GivesTheSameBytesForOurOwnFiles) {
-  for (const StyleInfo& info : builtin_styles()) {
-    const std::string& style = info.name;
-    ASSERT_EQ(
-        run(fmt::format("draw @/box.off -o @/a.json --hidden dashed --quiet --style {}", style)),
-        0);
-    ASSERT_EQ(run("convert @/a.json -o @/b.json --quiet"), 0) << err_;
-    EXPECT_EQ(slurp(folder_ / "a.json"), slurp(folder_ / "b.json")) << style;
-  }
+  ASSERT_EQ(run("draw @/box.off -o @/a.json --hidden dashed --quiet --style shaded"), 0) << err_;
+  ASSERT_EQ(run("convert @/a.json -o @/b.json --quiet"), 0) << err_;
+  EXPECT_EQ(slurp(folder_ / "a.json"), slurp(folder_ / "b.json"));
 }
 
 TEST_F(Convert, WritesAllFormatsAtOnceAndToStandardOutput) {

@@ -138,7 +138,8 @@ TEST_F(Draw, HiddenLinesDashed) {
 TEST_F(Draw, SameBytesForSeedAndThreads) {
   folder_.write("torus.off", test::off_text(test::torus(20, 8, 60, 30)));
   const auto drawing = [&](const std::string& options) {
-    EXPECT_EQ(run("draw @/torus.off -o @/t.svg -o @/t.json --style engraving " + options), 0);
+    EXPECT_EQ(
+        run("draw @/torus.off -o @/t.svg -o @/t.json --style engraving --paper A6 " + options), 0);
     return slurp(folder_ / "t.svg") + slurp(folder_ / "t.json");
   };
   const std::string first = drawing("");

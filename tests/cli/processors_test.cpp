@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -40,13 +41,17 @@ TEST(Processors, DrawTheSameBytes) {
   if (test::kSanitized) GTEST_SKIP() << "a sanitizer wants to be loaded first";
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
   const test::Folder folder;
-  for (const char* sample : {"spindle.stl", "bracket.off", "bearing_stand.obj", "moai_scan.ply",
-                             "teapot.itd", "coupling.step", "pump_cover.implicit"}) {
-    for (const char* style : {"engraving", "pencil", "outline"}) {
-      const std::string old = drawn(folder, sample, style, "isa=sse2");
-      EXPECT_FALSE(old.empty());
-      EXPECT_TRUE(old == drawn(folder, sample, style, "isa=avx2")) << sample << ' ' << style;
-    }
+  // Every kind of model with all that an engraving asks of rays (features, strokes, hidden spans);
+  // strokes on points ask nothing else, so one model has them.
+  const std::pair<const char*, const char*> cases[] = {
+      {"spindle.stl", "engraving"},       {"bracket.off", "engraving"},
+      {"bearing_stand.obj", "engraving"}, {"moai_scan.ply", "outline"},
+      {"teapot.itd", "engraving"},        {"coupling.step", "engraving"},
+      {"pump_cover.implicit", "outline"}, {"spindle.stl", "pencil"}};
+  for (const auto& [sample, style] : cases) {
+    const std::string old = drawn(folder, sample, style, "isa=sse2");
+    EXPECT_FALSE(old.empty());
+    EXPECT_TRUE(old == drawn(folder, sample, style, "isa=avx2")) << sample << ' ' << style;
   }
 }
 

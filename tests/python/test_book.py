@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 import burin
-from support import SAMPLES
+from support import SAMPLES, cube
 
 
 class Views(unittest.TestCase):
@@ -25,7 +25,7 @@ class Views(unittest.TestCase):
                 self.assertAlmostEqual(a, b, places=3)
 
     def test_a_session_draws_the_same(self):
-        asked = {"style": "engraving", "views": "front,iso", "detail": ["0,0,0,6=5:1"]}
+        asked = {"style": "engraving", "views": "front,iso", "detail": ["0,0,0,6=5:1"], "paper": "A6"}
         for file in ("bracket.off", "pump_cover.implicit"):
             scene, session = burin.Scene.read(SAMPLES / file), burin.Session()
             fresh = burin.draw(scene, **asked).to_bytes("json")
@@ -78,8 +78,13 @@ class Books(unittest.TestCase):
             self.assertLessEqual(len(page["added"]), 1 + 1)  # and what the first stands on
 
     def test_what_is_about_one_drawing_is_told(self):
+        scene = burin.Scene()
+        for height in (0, 10):
+            vertices, triangles = cube()
+            scene.add_mesh(vertices + [0, 0, height], triangles, name=f"box {height}")
+
         def unused(**options):
-            book = burin.steps(SAMPLES / "coupling.step", style="outline", **options)
+            book = burin.steps(scene, style="outline", **options)
             return [d.message for d in book.diagnostics if d.code == "option.unused"]
 
         self.assertEqual(unused(), [])
@@ -87,7 +92,7 @@ class Books(unittest.TestCase):
         self.assertEqual(unused(views=["front", "top"], legend=True, scale=2),
                          ["views, legend, scale have no effect on a step book"])
         with self.assertRaisesRegex(burin.UsageError, "session is for draw"):
-            burin.steps(SAMPLES / "coupling.step", session=burin.Session())
+            burin.steps(scene, session=burin.Session())
 
     def test_errors(self):
         with self.assertRaisesRegex(burin.UsageError, "from 1"):
