@@ -6,6 +6,7 @@
 #include "exact_faces.h"
 #include "islands.h"
 #include "multigrid.h"
+#include "short_cuts.h"
 
 #include <algorithm>
 #include <array>
@@ -216,6 +217,8 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   }
   std::vector<double> sign =
       minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
+  join_islands(signs, pull, sign);
+  shorten_cuts(proxy, graph, signs, pull, sign, context);
   join_islands(signs, pull, sign);
   settle_ruled_faces(proxy, graph, kinds, signs, sign, context);
   if (flats) keep_first_directions(borders, n, sign);
