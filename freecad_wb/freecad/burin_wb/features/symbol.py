@@ -20,6 +20,8 @@ _SIZE = re.compile(r'width="[^"]*mm" height="[^"]*mm" viewBox="[^"]*"')
 _SCALE = re.compile(r'width="(\d+)" height="\d+" viewBox="\S+ \S+ (\S+) ')
 # Qt takes one family of a text; osifont is TechDraw's own, of the same letters as the kernel's.
 _FONTS, _FONT = 'font-family="osifont, sans-serif"', 'font-family="osifont"'
+# Qt 6 strokes what it fills in a PDF with a pen of a whole unit, where no other width is said.
+_NONE, _NO_WIDTH = ' stroke="none"', ' stroke="none" stroke-width="0"'
 _PATH = re.compile(r'<path([^>]*?) d="([^"]*)"/>')
 
 
@@ -50,7 +52,7 @@ def to_symbol(svg, window):
     text, count = _SIZE.subn(head, svg, count=1)
     if count != 1:
         raise ValueError("the SVG text has no size in millimetres")
-    return parted(text.replace(_FONTS, _FONT))
+    return parted(text.replace(_FONTS, _FONT).replace(_NONE, _NO_WIDTH))
 
 
 def pixels_of(symbol):
