@@ -206,7 +206,9 @@ class Router {
     met_[from] = {0, kNone, from, false};
     queue.push({0, from});
     while (!queue.empty()) {
-      const auto [d, node] = queue.top();
+      // No structured binding: clang 14 has no way to capture one below.
+      const double d = std::get<0>(queue.top());
+      const std::uint32_t node = std::get<1>(queue.top());
       queue.pop();
       if (std::exchange(met_[node].done, true)) continue;
       if (odd_[node] && node != from) {

@@ -243,10 +243,14 @@ class New(support.Case):
         support.panel().accept()
         support.settle()
         self.assertEqual((obj.ViewObject.Plane, obj.ViewObject.Paper), ("Before the model", True))
-        search = coin.SoSearchAction()
-        search.setType(coin.SoTexture2.getClassTypeId())
-        search.apply(proxy._paper)
-        self.assertIsNotNone(search.getPath(), "the sheet is empty")
+
+        def is_painted():
+            search = coin.SoSearchAction()
+            search.setType(coin.SoTexture2.getClassTypeId())
+            search.apply(proxy._paper)
+            return search.getPath() is not None
+
+        self.assertTrue(support.until(is_painted), "the sheet is empty")
         self.assertEqual(max(proxy._painted.size), 1024)
         sheet = grey(support.picture("on-paper"))
         obj.ViewObject.Plane = "Behind the model"
