@@ -169,6 +169,9 @@ class LargePreview(QtGui.QDialog):
     def resizeEvent(self, event):
         self._resized.start()
 
+    def hideEvent(self, event):
+        self._resized.stop()  # the illustration may be gone when it ends
+
 
 def _paint(path, dpi, into):
     """In a thread: appends the PNG of a drawing file; nothing where it cannot be read."""
