@@ -31,8 +31,11 @@ bool looks_at_light(const Style& style) {
   return false;
 }
 
-/// Whether the light is seen without any strokes: in flat tones, or in lines of equal light.
-bool shows_light(const Style& style) { return style.fill.steps > 1 || style.feature.isophotes > 0; }
+/// Whether the light is seen without any strokes: in flat tones, shadows, or lines of equal light.
+bool shows_light(const Style& style) {
+  return style.fill.steps > 1 || style.feature.isophotes > 0 || style.shadow.cast ||
+         style.shadow.ground;
+}
 
 /// What is asked for of strokes alone, as messages call it.
 std::vector<std::string> about_strokes(const DrawRequest& r, const Style& named,
@@ -135,7 +138,7 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   const auto note = [&](const std::string& text) {
     notes.add(Severity::Warning, "option.unused", 1, text);
   };
-  if (has("light") && !looks_at_light(plan.style)) {
+  if (has("light") && !looks_at_light(plan.style) && !shows_light(plan.style)) {
     note(fmt::format("{} has no effect: tone.law {} does not look at it",
                      called("light", plan.spelling), plan.style.tone.law));
   }
@@ -143,7 +146,7 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   for (const std::string& key : plan.style_keys) {
     if (key.starts_with("callout.") && !lists) {
       note(fmt::format("style key {} has no effect without {}", key,
-                       called("callouts", plan.spelling)));
+                       called(key == "callout.legend" ? "legend" : "callouts", plan.spelling)));
     }
   }
   if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {

@@ -118,7 +118,9 @@ Rgb lightened(const Rgb& color, double light) {
 }
 
 /// The least light beside lines of a dark ink, and the most beside those of a light one.
-double least_light(const Rgb& ink) { return kLeastContrast * (light_of(ink) + kStray) - kStray; }
+double least_light(const Rgb& ink, double contrast) {
+  return contrast * (light_of(ink) + kStray) - kStray;
+}
 double most_light(const Rgb& ink) { return (light_of(ink) + kStray) / kLeastContrast - kStray; }
 
 }  // namespace
@@ -129,19 +131,21 @@ double contrast(const Rgb& a, const Rgb& b) {
 }
 
 double readable_darkest(const Tones& tones, const Rgb& ink) {
-  const double is = light_of(tones.light), least = least_light(ink);
+  const double is = light_of(tones.light), least = least_light(ink, kLeastShadeContrast);
   const bool seen = is <= most_light(ink) || is * std::pow(tones.darkest, 3) >= least;
-  if (seen || least > 1) return tones.darkest;
+  if (seen || least_light(ink, kLeastContrast) > 1) return tones.darkest;
   return std::max(tones.darkest, std::min(std::cbrt(least / is), kNearest));
 }
 
 Tones readable(const Tones& tones, const Rgb& ink) {
-  const double is = light_of(tones.light), least = least_light(ink), most = most_light(ink);
+  const double is = light_of(tones.light), least = least_light(ink, kLeastContrast),
+               most = most_light(ink);
   if (is <= most) return tones;
   if (least > 1) return {with_lightness(tones.light, std::cbrt(most / is)), tones.darkest};
   Tones out = tones;
-  if (is * std::pow(tones.darkest, 3) < least) {
-    const double wanted = least / std::pow(std::max(tones.darkest, kNearest), 3);
+  const double shade = least_light(ink, kLeastShadeContrast);
+  const double wanted = std::max(least, shade / std::pow(std::max(tones.darkest, kNearest), 3));
+  if (is < wanted) {
     out.light = lightened(tones.light, std::min(wanted, std::max(least, kPale)));
   }
   out.darkest = readable_darkest(out, ink);

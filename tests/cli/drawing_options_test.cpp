@@ -167,6 +167,8 @@ TEST_F(DrawingOptions, OptionsWithoutEffectAreTold) {
        "style key svg.merge has no effect: no output is .svg",
        "option --id-prefix has no effect: no output is .svg", "lies along the view"});
   expect_warning(outline + "--light 1,0,0", "option --light has no effect");
+  expect_warning(outline + "--set callout.legend=top-left",
+                 "has no effect without option --legend");
   expect_warning("draw @/box.off --style wireframe --hidden dashed", "draws hidden lines in full");
   expect_warning(outline + "--scale 100", "what runs off it is cut");
   expect_warning(outline + "--scale 0.0001", "no larger than a dot");
@@ -177,7 +179,9 @@ TEST_F(DrawingOptions, OptionsWithEffectAreNot) {
   folder_.write("ball.implicit", "sphere(5)\n");
   folder_.write("cube.raw", std::string(8 * 8 * 8, '\1') + std::string(4, '\0'));
   for (const std::string line :
-       {"draw @/box.off --heal", "draw @/box.off --no-heal --style outline --hidden dashed",
+       {"draw @/box.off --style outline --set shadow.cast=true --light 1,1,1",
+        "draw @/box.off --style flat --set shadow.ground=true --light 1,1,1",
+        "draw @/box.off --heal", "draw @/box.off --no-heal --style outline --hidden dashed",
         "draw @/ball.implicit --mesher delaunay --bounds -9,-9,-9,9,9,9 --tolerance 0.1",
         "draw @/ball.implicit @/box.off --mesher nets --heal --set hatch.taper=1 --light 1,1,1",
         "draw @/ball.implicit --style flat --set tone.steps=3 --light 1,1,1",

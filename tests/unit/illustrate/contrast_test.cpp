@@ -62,7 +62,13 @@ TEST(Contrast, OfBlackLinesIsKeptInAllTonesOfColoursOfTheInput) {
       style.fill.steps = 3;
       style.fill.darkest = darkest;
       const Drawing drawing = ball(color, style);
-      EXPECT_GE(least_contrast(drawing, {0, 0, 0}), kLeastContrast - kRounding) << color << darkest;
+      EXPECT_GE(least_contrast(drawing, {0, 0, 0}), kLeastShadeContrast - kRounding)
+          << color << darkest;
+      double most = 1;
+      for (const std::string& fill : fills(drawing)) {
+        most = std::max(most, contrast(rgb_of(fill).value(), {0, 0, 0}));
+      }
+      EXPECT_GE(most, kLeastContrast - kRounding) << color << darkest << " in full light";
       EXPECT_EQ(fills(drawing).size(), darkest < 1 ? 3u : 1u) << "tones are told apart";
       EXPECT_EQ(warnings(drawing), 0);
     }
@@ -128,8 +134,10 @@ TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
 
 TEST(Contrast, OfAColourThatStaysIsWhatItsDarkestToneCanGive) {
   EXPECT_EQ(readable_darkest({{255, 255, 255}, 0.55}, {0, 0, 0}), 0.55) << "seen as it is";
-  const double share = readable_darkest({{242, 142, 43}, 0.55}, {0, 0, 0});
-  EXPECT_NEAR(contrast(with_lightness({242, 142, 43}, share), {0, 0, 0}), 3, kRounding);
+  EXPECT_EQ(readable_darkest({{242, 142, 43}, 0.55}, {0, 0, 0}), 0.55) << "its shade is, too";
+  const double share = readable_darkest({{214, 39, 40}, 0.55}, {0, 0, 0});
+  EXPECT_NEAR(contrast(with_lightness({214, 39, 40}, share), {0, 0, 0}), kLeastShadeContrast,
+              kRounding);
   EXPECT_EQ(readable_darkest({{0, 0, 0}, 0.55}, {0, 0, 0}), 0.86) << "no tone of black does";
   EXPECT_EQ(readable_darkest({{0, 0, 0}, 0.9}, {0, 0, 0}), 0.9);
 }

@@ -38,8 +38,9 @@ Rgb with_lightness(const Rgb& color, double share);
 /// How well two colours are told apart, from 1, not at all, to 21, black and white. @cite WCAG21
 double contrast(const Rgb& a, const Rgb& b);
 
-/// The contrast that areas have to the lines on them, at least.
-constexpr double kLeastContrast = 3;
+/// The contrast that areas have to the lines on them, at least: in full light, and in the darkest
+/// tone, which is to stay a shade.
+constexpr double kLeastContrast = 3, kLeastShadeContrast = 2.1;
 
 /// The tones of one colour: in full light, and the lightness of the darkest, as a share of that.
 struct Tones {
@@ -47,8 +48,8 @@ struct Tones {
   double darkest = 1;
 };
 
-/// Tones of the colour on which lines of `ink` are seen, with `kLeastContrast`: where they are dark
-/// the darkest one is lighter, up to a share of 0.86, so that tones are told apart, and then the
+/// Tones of the colour on which lines of `ink` are seen, with these contrasts: where they are dark
+/// the darkest one is lighter, up to a share of 0.86, so that tones are told apart, and the
 /// colour is mixed with white. Where they are light, so that no colour is light enough beside them,
 /// it is darker. Beside a grey ink dark tones have less contrast, so that colours stay colours.
 Tones readable(const Tones& tones, const Rgb& ink);
