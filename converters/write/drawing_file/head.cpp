@@ -16,19 +16,13 @@ DrawingItem read_item(const JsonPlace& place) {
   place.check_object();
   DrawingItem item;
   place.required("number", [&](const JsonPlace& number) { number.set(item.number); });
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("name", item.name);
-  value("color", item.color);
-  value("source", item.source);
-  place.optional("parts", [&](const JsonPlace& parts) {
-    parts.each([&](const JsonPlace& part, std::size_t) { part.set(item.parts.emplace_back()); });
-  });
-  place.optional("selectors", [&](const JsonPlace& selectors) {
-    selectors.each(
-        [&](const JsonPlace& one, std::size_t) { one.set(item.selectors.emplace_back()); });
-  });
+  place.member("name", item.name);
+  place.member("color", item.color);
+  place.member("source", item.source);
+  place.each_of("parts",
+                [&](const JsonPlace& part, std::size_t) { part.set(item.parts.emplace_back()); });
+  place.each_of("selectors",
+                [&](const JsonPlace& one, std::size_t) { one.set(item.selectors.emplace_back()); });
   return item;
 }
 
@@ -52,14 +46,12 @@ SpotInk read_spot_ink(const JsonPlace& place, const std::vector<SpotInk>& known)
 
 /// That the inks of areas are known.
 void check_inks(const JsonPlace& root, const Drawing& drawing) {
-  root.optional("areas", [&](const JsonPlace& areas) {
-    areas.each([&](const JsonPlace& area, std::size_t i) {
-      const std::string& name = drawing.areas[i].ink;
-      const auto& inks = drawing.inks;
-      if (name.empty() || std::ranges::find(inks, name, &SpotInk::name) != inks.end()) return;
-      area.optional("ink", [&](const JsonPlace& ink) {
-        ink.fail(fmt::format("'{}' is an ink that the drawing does not list", name));
-      });
+  root.each_of("areas", [&](const JsonPlace& area, std::size_t i) {
+    const std::string& name = drawing.areas[i].ink;
+    const auto& inks = drawing.inks;
+    if (name.empty() || std::ranges::find(inks, name, &SpotInk::name) != inks.end()) return;
+    area.optional("ink", [&](const JsonPlace& ink) {
+      ink.fail(fmt::format("'{}' is an ink that the drawing does not list", name));
     });
   });
 }
@@ -68,11 +60,8 @@ Area read_area(const JsonPlace& place) {
   place.check_object();
   Area area;
   place.required("part", [&](const JsonPlace& part) { part.set(area.part); });
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("face", area.face);
-  value("tone", area.tone);
+  place.member("face", area.face);
+  place.member("tone", area.tone);
   place.optional("fill", [&](const JsonPlace& fill) { read_color(fill, area.fill); });
   place.optional("opacity", [&](const JsonPlace& opacity) {
     opacity.set(area.opacity);
@@ -83,36 +72,31 @@ Area read_area(const JsonPlace& place) {
     tint.set(area.tint);
     if (!(area.tint >= 0 && area.tint <= 1)) tint.fail("takes a share of an ink, from 0 to 1");
   });
-  value("role", area.role);
-  place.optional("rings", [&](const JsonPlace& rings) {
-    rings.each([&](const JsonPlace& ring, std::size_t) {
-      if (ring.size() < 3) ring.fail(fmt::format("holds {} points; a ring has 3", ring.size()));
-      read_points(ring, area.rings.emplace_back());
-    });
+  place.member("role", area.role);
+  place.each_of("rings", [&](const JsonPlace& ring, std::size_t) {
+    if (ring.size() < 3) ring.fail(fmt::format("holds {} points; a ring has 3", ring.size()));
+    read_points(ring, area.rings.emplace_back());
   });
   return area;
 }
 
 void read_view(const JsonPlace& place, DrawingView& view) {
   place.check_object();
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("projection", view.projection);
-  value("direction", view.direction);
-  value("right", view.right);
-  value("up", view.up);
-  value("scale", view.scale);
-  value("center", view.center);
-  value("offset", view.offset);
-  value("eye", view.eye);
-  value("field_of_view", view.field_of_view);
+  place.member("projection", view.projection);
+  place.member("direction", view.direction);
+  place.member("right", view.right);
+  place.member("up", view.up);
+  place.member("scale", view.scale);
+  place.member("center", view.center);
+  place.member("offset", view.offset);
+  place.member("eye", view.eye);
+  place.member("field_of_view", view.field_of_view);
 }
 
 SheetView read_sheet_view(const JsonPlace& place) {
   place.check_object();
   SheetView view;
-  place.optional("name", [&](const JsonPlace& name) { name.set(view.name); });
+  place.member("name", view.name);
   place.required("view", [&](const JsonPlace& at) { read_view(at, view.view); });
   place.optional("box", [&](const JsonPlace& box) {
     std::vector<Vec2> corners;
@@ -125,17 +109,14 @@ SheetView read_sheet_view(const JsonPlace& place) {
 DrawingPart read_part(const JsonPlace& place) {
   place.check_object();
   DrawingPart part;
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("id", part.id);
-  value("name", part.name);
-  value("source", part.source);
-  value("triangles", part.triangles);
-  value("faces", part.faces);
-  value("color", part.color);
-  place.optional("assembly", [&](const JsonPlace& names) {
-    names.each([&](const JsonPlace& name, std::size_t) { name.set(part.assembly.emplace_back()); });
+  place.member("id", part.id);
+  place.member("name", part.name);
+  place.member("source", part.source);
+  place.member("triangles", part.triangles);
+  place.member("faces", part.faces);
+  place.member("color", part.color);
+  place.each_of("assembly", [&](const JsonPlace& name, std::size_t) {
+    name.set(part.assembly.emplace_back());
   });
   return part;
 }
@@ -144,13 +125,10 @@ Diagnostic read_diagnostic(const JsonPlace& place) {
   place.check_object();
   Diagnostic d;
   std::string severity = to_string(d.severity);
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("severity", severity);
-  value("code", d.code);
-  value("count", d.count);
-  value("message", d.message);
+  place.member("severity", severity);
+  place.member("code", d.code);
+  place.member("count", d.count);
+  place.member("message", d.message);
   for (const Severity s : {Severity::Info, Severity::Warning, Severity::Error}) {
     if (severity == to_string(s)) d.severity = s;
   }
@@ -160,39 +138,31 @@ Diagnostic read_diagnostic(const JsonPlace& place) {
 Contradiction read_contradiction(const JsonPlace& place) {
   place.check_object();
   Contradiction c;
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("what", c.what);
+  place.member("what", c.what);
   place.optional("kind", [&](const JsonPlace& kind) { c.kind = kind_named(kind); });
-  value("part", c.source.part);
-  value("face", c.source.face);
-  value("edge", c.source.edge);
-  value("length", c.length);
-  value("size", c.size);
-  value("at", c.at);
-  value("model", c.model);
+  place.member("part", c.source.part);
+  place.member("face", c.source.face);
+  place.member("edge", c.source.edge);
+  place.member("length", c.length);
+  place.member("size", c.size);
+  place.member("at", c.at);
+  place.member("model", c.model);
   return c;
 }
 
 Verification read_verification(const JsonPlace& place) {
   place.check_object();
   Verification v;
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("spans", v.spans);
-  value("length", v.length);
-  value("contradicted", v.contradicted);
-  value("count", v.count);
-  value("loose_ends", v.loose_ends);
-  value("area", v.area);
-  value("wrong_area", v.wrong_area);
-  value("wrong_patches", v.wrong_patches);
-  place.optional("contradictions", [&](const JsonPlace& list) {
-    list.each([&](const JsonPlace& one, std::size_t) {
-      v.contradictions.push_back(read_contradiction(one));
-    });
+  place.member("spans", v.spans);
+  place.member("length", v.length);
+  place.member("contradicted", v.contradicted);
+  place.member("count", v.count);
+  place.member("loose_ends", v.loose_ends);
+  place.member("area", v.area);
+  place.member("wrong_area", v.wrong_area);
+  place.member("wrong_patches", v.wrong_patches);
+  place.each_of("contradictions", [&](const JsonPlace& one, std::size_t) {
+    v.contradictions.push_back(read_contradiction(one));
   });
   return v;
 }
@@ -232,45 +202,35 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
   }
   root.required("version", check_version);
   root.required("paper", [&](const JsonPlace& paper) { read_paper(paper, drawing); });
-  root.optional("seed", [&](const JsonPlace& seed) { seed.set(drawing.seed); });
-  root.optional("title", [&](const JsonPlace& title) { title.set(drawing.title); });
-  root.optional("style", [&](const JsonPlace& style) { style.set(drawing.style); });
+  root.member("seed", drawing.seed);
+  root.member("title", drawing.title);
+  root.member("style", drawing.style);
   root.optional("view", [&](const JsonPlace& view) { read_view(view, drawing.view); });
-  root.optional("views", [&](const JsonPlace& views) {
-    views.each(
-        [&](const JsonPlace& one, std::size_t) { drawing.views.push_back(read_sheet_view(one)); });
+  root.each_of("views", [&](const JsonPlace& one, std::size_t) {
+    drawing.views.push_back(read_sheet_view(one));
   });
-  root.optional("parts", [&](const JsonPlace& parts) {
-    parts.each(
-        [&](const JsonPlace& part, std::size_t) { drawing.parts.push_back(read_part(part)); });
+  root.each_of("parts", [&](const JsonPlace& part, std::size_t) {
+    drawing.parts.push_back(read_part(part));
   });
-  root.optional("items", [&](const JsonPlace& items) {
-    items.each(
-        [&](const JsonPlace& item, std::size_t) { drawing.items.push_back(read_item(item)); });
+  root.each_of("items", [&](const JsonPlace& item, std::size_t) {
+    drawing.items.push_back(read_item(item));
   });
-  root.optional("areas", [&](const JsonPlace& areas) {
-    areas.each(
-        [&](const JsonPlace& area, std::size_t) { drawing.areas.push_back(read_area(area)); });
+  root.each_of("areas", [&](const JsonPlace& area, std::size_t) {
+    drawing.areas.push_back(read_area(area));
   });
-  root.optional("inks", [&](const JsonPlace& inks) {
-    inks.each([&](const JsonPlace& one, std::size_t) {
-      drawing.inks.push_back(read_spot_ink(one, drawing.inks));
-    });
+  root.each_of("inks", [&](const JsonPlace& one, std::size_t) {
+    drawing.inks.push_back(read_spot_ink(one, drawing.inks));
   });
   check_inks(root, drawing);
-  root.optional("diagnostics", [&](const JsonPlace& list) {
-    list.each(
-        [&](const JsonPlace& d, std::size_t) { drawing.diagnostics.add(read_diagnostic(d)); });
+  root.each_of("diagnostics", [&](const JsonPlace& d, std::size_t) {
+    drawing.diagnostics.add(read_diagnostic(d));
   });
   root.optional("stats", [&](const JsonPlace& stats) {
     stats.check_object();
-    const auto value = [&](const char* key, auto& out) {
-      stats.optional(key, [&](const JsonPlace& at) { at.set(out); });
-    };
-    value("triangles", drawing.stats.triangles);
-    value("strokes", drawing.stats.strokes);
-    value("coverage_points", drawing.stats.coverage_points);
-    value("coverage_delta", drawing.stats.coverage_delta);
+    stats.member("triangles", drawing.stats.triangles);
+    stats.member("strokes", drawing.stats.strokes);
+    stats.member("coverage_points", drawing.stats.coverage_points);
+    stats.member("coverage_delta", drawing.stats.coverage_delta);
     stats.optional("tone_gamma",
                    [&](const JsonPlace& at) { at.set(drawing.stats.tone_gamma.emplace()); });
     stats.optional("verify",

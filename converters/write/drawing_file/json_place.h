@@ -51,6 +51,16 @@ class JsonPlace {
       ++i;
     }
   }
+  /// Sets `out` by a member that is there and not null.
+  template <class T>
+  void member(const char* key, T& out) const {
+    optional(key, [&](const JsonPlace& at) { at.set(out); });
+  }
+  /// Calls `read(place, index)` for each element of a list that is there and not null.
+  template <class F>
+  void each_of(const char* key, const F& read) const {
+    optional(key, [&](const JsonPlace& list) { list.each(read); });
+  }
 
   void check_object() const {
     if (!value_.is_object()) fail("takes an object {...}");

@@ -34,12 +34,9 @@ void read_width(const JsonPlace& place, std::size_t points, std::vector<double>&
 PathSource read_also(const JsonPlace& place) {
   place.check_object();
   PathSource also;
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("part", also.source.part);
-  value("face", also.source.face);
-  value("edge", also.source.edge);
+  place.member("part", also.source.part);
+  place.member("face", also.source.face);
+  place.member("edge", also.source.edge);
   place.optional("kind", [&](const JsonPlace& kind) { also.kind = kind_named(kind); });
   return also;
 }
@@ -105,23 +102,19 @@ Path read_path(const JsonPlace& place) {
   place.optional("width", [&](const JsonPlace& width) { read_width(width, n, p.width); });
   place.optional("kind", [&](const JsonPlace& kind) { p.kind = kind_named(kind); });
   place.optional("faces", [&](const JsonPlace& faces) { read_faces(faces, n, p.faces); });
-  place.optional("also", [&](const JsonPlace& also) {
-    also.each([&](const JsonPlace& one, std::size_t) { p.also.push_back(read_also(one)); });
-  });
-  const auto value = [&](const char* key, auto& out) {
-    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
-  };
-  value("visible", p.visible);
-  value("in_full", p.in_full);
-  value("part", p.source.part);
-  value("face", p.source.face);
-  value("edge", p.source.edge);
-  value("closed", p.closed);
-  value("item", p.item);
+  place.each_of("also",
+                [&](const JsonPlace& one, std::size_t) { p.also.push_back(read_also(one)); });
+  place.member("visible", p.visible);
+  place.member("in_full", p.in_full);
+  place.member("part", p.source.part);
+  place.member("face", p.source.face);
+  place.member("edge", p.source.edge);
+  place.member("closed", p.closed);
+  place.member("item", p.item);
   place.optional("color", [&](const JsonPlace& color) { read_color(color, p.color); });
-  value("field", p.field);
-  value("family", p.family);
-  value("stroke_kind", p.stroke_kind);
+  place.member("field", p.field);
+  place.member("family", p.family);
+  place.member("stroke_kind", p.stroke_kind);
   return p;
 }
 
@@ -149,8 +142,8 @@ Text read_text(const JsonPlace& place) {
     }
     anchor.fail("takes \"start\", \"middle\" or \"end\"");
   });
-  place.optional("role", [&](const JsonPlace& role) { role.set(text.role); });
-  place.optional("item", [&](const JsonPlace& item) { item.set(text.item); });
+  place.member("role", text.role);
+  place.member("item", text.item);
   return text;
 }
 
