@@ -31,8 +31,7 @@ bool within(const std::vector<Vec2>& polygon, Vec2 p) {
 double distance_to(const std::vector<Vec2>& polygon, Vec2 p) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
-    const Vec2 d = polygon[i] - polygon[k];
-    best = std::min(best, glm::distance(p, polygon[k] + nearest_along(polygon[k], d, p) * d));
+    best = std::min(best, distance_to_segment(polygon[k], polygon[i], p));
   }
   return best;
 }

@@ -40,20 +40,13 @@ std::size_t word_start(const std::u32string& name, std::size_t at) {
   return at;
 }
 
-/// As much of the beginning as has room beside what comes from `at` on, which keeps two thirds.
+/// As much of the beginning as fits beside what comes from `at` on, which keeps two thirds.
 std::string cut_before(const std::string& text, std::size_t at, double height, double width) {
   const std::u32string name = code_points(text);
   const double all = width - text_width(kDots, height);
   const std::string rest =
       fitted_text(utf8(name.substr(word_start(name, at))), height, 2 * all / 3);
-  double room = all - text_width(rest, height);
-  std::string head;
-  for (const char32_t c : name) {
-    room -= text_width(utf8_of(c), height);
-    if (room < 0) break;
-    head += utf8_of(c);
-  }
-  return head + kDots + rest;
+  return fitted_text(text, height, width - text_width(rest, height)) + rest;
 }
 
 }  // namespace

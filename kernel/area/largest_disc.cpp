@@ -128,8 +128,7 @@ bool encloses(std::span<const BorderSide> border, Vec2 p) {
 }
 
 double distance_to(const BorderSide& side, Vec2 p) {
-  const auto& [a, b] = side;
-  return glm::distance(p, a + nearest_along(a, b - a, p) * (b - a));
+  return distance_to_segment(side[0], side[1], p);
 }
 
 InnerDisc largest_disc(std::span<const BorderSide> border, std::span<const BorderSide> across,

@@ -10,11 +10,6 @@ namespace {
 
 std::int64_t key(std::int64_t x, std::int64_t y) { return x * 1'000'003 + y; }
 
-double to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 e = b - a;
-  return glm::distance(p, a + nearest_along(a, e, p) * e);
-}
-
 }  // namespace
 
 NearLines::NearLines(std::span<const Polyline> lines, double reach) : reach_(reach) {
@@ -46,7 +41,7 @@ void NearLines::visit(Vec2 p, const F& each) const {
       const auto cell = cells_.find(key(x + dx, y + dy));
       if (cell == cells_.end()) continue;
       for (const std::uint32_t i : cell->second) {
-        const double d = to_segment(p, segments_[i].a, segments_[i].b);
+        const double d = distance_to_segment(segments_[i].a, segments_[i].b, p);
         if (d <= reach_ && each(segments_[i], d)) return;
       }
     }

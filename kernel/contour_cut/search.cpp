@@ -35,8 +35,7 @@ class Chord {
   double off(const Vec3& p) const {
     const Vec2 q = camera_.to_paper(p);
     if (end_on_) return glm::distance(q, camera_.to_paper(a_ + share(p) * (b_ - a_)));
-    const Vec2 d = to_ - from_;
-    return glm::distance(q, from_ + nearest_along(from_, d, q) * d);
+    return distance_to_segment(from_, to_, q);
   }
 
   /// How far an S may be from its chord that passes at a place near it at a slant: a fifth of the

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a segment is nearest to a point.
+/// Where a segment is nearest to a point, and how far that is.
 
 #include <burin/base/vec.h>
 
@@ -13,6 +13,13 @@ template <class Point>
 double nearest_along(const Point& a, const Point& d, const Point& p) {
   const double dd = glm::dot(d, d);
   return dd > 0 ? std::clamp(glm::dot(p - a, d) / dd, 0.0, 1.0) : 0;
+}
+
+/// How far a point is from the segment from `a` to `b`.
+template <class Point>
+double distance_to_segment(const Point& a, const Point& b, const Point& p) {
+  const Point d = b - a;
+  return glm::distance(p, a + nearest_along(a, d, p) * d);
 }
 
 }  // namespace burin
