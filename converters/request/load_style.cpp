@@ -48,14 +48,17 @@ bool is_said_opaque(const std::string& style_text) {
          is_one(style["fill"]["opacity"]);
 }
 
+Style read_style(const std::string& text, const std::string& file, const Style* whole) {
+  Style style = parse_style(text, file, builtin_style("technical"), whole);
+  find_named_files(style, std::filesystem::path(file).parent_path());
+  return style;
+}
+
 }  // namespace detail
 
 Style load_style(const std::string& name, const Style* whole) {
   const auto text = detail::text_of_style(name);
-  if (!text) return builtin_style(name);
-  Style style = parse_style(*text, name, builtin_style("technical"), whole);
-  detail::find_named_files(style, std::filesystem::path(name).parent_path());
-  return style;
+  return text ? detail::read_style(*text, name, whole) : builtin_style(name);
 }
 
 }  // namespace burin

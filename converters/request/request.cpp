@@ -56,16 +56,24 @@ std::vector<std::string> about_strokes(const DrawRequest& r, const Style& named,
   return choices;
 }
 
+struct LookStyle {
+  Style style;
+  /// Its text says so itself.
+  bool is_opaque = false;
+};
+
 /// The style of a look; nothing where it has none. What it says of files is ignored.
-std::optional<Style> style_of(const LookRequest& look, const Style& whole) {
+std::optional<LookStyle> style_of(const LookRequest& look, const Style& whole) {
   if (!look.style_text.empty()) {
     Style style = parse_style(look.style_text, look.style_source, whole, &whole);
     detail::find_named_files(style, std::filesystem::path(look.style_source).parent_path());
-    return style;
+    return LookStyle{std::move(style), detail::is_said_opaque(look.style_text)};
   }
   if (look.style.empty()) return std::nullopt;
   try {
-    return load_style(look.style, &whole);
+    const auto text = detail::text_of_style(look.style);
+    if (!text) return LookStyle{builtin_style(look.style)};
+    return LookStyle{detail::read_style(*text, look.style, &whole), detail::is_said_opaque(*text)};
   } catch (const UsageError& e) {
     throw UsageError(look.look.place + e.what());
   }
@@ -73,13 +81,8 @@ std::optional<Style> style_of(const LookRequest& look, const Style& whole) {
 
 /// A part that is to be painted opaque is not of glass, whatever its file says of it, and has the
 /// strokes of its style.
-void leave_glass(const LookRequest& asked, Look& look) {
+void leave_glass(Look& look) {
   if (look.transparent) return;
-  const std::string text = !asked.style_text.empty() ? asked.style_text
-                           : asked.style.empty()
-                               ? std::string()
-                               : detail::text_of_style(asked.style).value_or(std::string());
-  if (text.empty() || !detail::is_said_opaque(text)) return;
   look.transparent = false;
   look.hatched = look.hatched.value_or(true);
 }
@@ -177,9 +180,10 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
 
 Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& plan) {
   Look look = asked.look;
-  look.style = style_of(asked, plan.style);
-  if (!look.style) return look;
-  leave_glass(asked, look);
+  auto own = style_of(asked, plan.style);
+  if (!own) return look;
+  look.style = std::move(own->style);
+  if (own->is_opaque) leave_glass(look);
   read_images(*look.style, plan.illustrate.images);
   light_by(request, *look.style);
   return look;
