@@ -239,7 +239,7 @@ bool is_openscad_suffix(const Path& path) {
 
 ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunContext& context) {
   Diagnostics why;
-  detail::OpenscadPrograms programs;
+  detail::OpenscadPrograms programs(options.timeout);
   if (options.implicit) return functions_in(path, options, programs, context);
   if (auto made = parts_here(path, options, programs, detail::Shapes::Shared, why, context)) {
     return std::move(*made);
@@ -254,7 +254,7 @@ ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunCo
 OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& options, RunContext& context) {
   OpenscadOptions exported = options;
   exported.preview = false;
-  detail::OpenscadPrograms programs;
+  detail::OpenscadPrograms programs(options.timeout);
   Diagnostics why;
   auto made = made_here(path, exported, programs, why, context, [&](const Program& program) {
     return detail::whole_of_tree(program.tree, path, context);
@@ -271,7 +271,7 @@ FileInfo inspect_openscad(const Path& path, const OpenscadOptions& options, RunC
   FileInfo info;
   info.file = path.string();
   info.format = "OpenSCAD";
-  detail::OpenscadPrograms programs;
+  detail::OpenscadPrograms programs(options.timeout);
   if (options.implicit) {
     const Scene functions = functions_in(path, options, programs, context).scene;
     info.diagnostics.append(functions.diagnostics);

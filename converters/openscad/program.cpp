@@ -51,8 +51,8 @@ constexpr const char* kNewer =
 class Verdict {
  public:
   /// `hint`: what to do beside that, in the message of an error.
-  Verdict(const Path& path, std::int64_t lines, const Messages& messages, const char* hint)
-      : hint_(hint),
+  Verdict(const Path& path, std::int64_t lines, const Messages& messages, std::string hint)
+      : hint_(std::move(hint)),
         file_(path.string()),
         name_(path.filename().string()),
         folder_(path.parent_path().string()),
@@ -105,7 +105,7 @@ class Verdict {
     line = remark.file == name_ ? std::min(remark.line, lines_) : remark.line;
     file = remark.line > 0 ? in_folder(folder_, remark.file) : file_;
   }
-  [[noreturn]] void fail(const Remark& remark, const char* after) const {
+  [[noreturn]] void fail(const Remark& remark, const std::string& after) const {
     std::string file;
     std::int64_t line = 0;
     place(remark, file, line);
@@ -114,7 +114,7 @@ class Verdict {
   /// Nothing came out: a warning may tell why.
   [[noreturn]] void fail_with_warning(const std::string& what) const { said().fail(what, file_); }
 
-  const char* hint_;
+  std::string hint_;
   std::string file_, name_, folder_;
   std::int64_t lines_;
   const Messages& messages_;
@@ -216,7 +216,12 @@ ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options,
       out.clear();
       continue;
     }
-    const char* hint = unknown && !program.newest ? kNewer : "";
+    std::string hint;
+    if (unknown && !program.newest) {
+      hint = programs.reason().empty()
+                 ? kNewer
+                 : fmt::format("; if it is written for a newer OpenSCAD: {}", programs.reason());
+    }
     const Verdict verdict(path, lines, messages, hint);
     verdict.check(end, options.timeout, out.size());
     if (unknown) {

@@ -55,20 +55,22 @@ std::optional<Path> app_image() {
 struct Answer {
   SubprocessEnd end;
   bool exports = false;
+  /// Its first line.
+  std::string line = {};
 };
 
-/// Asks the program what it can do.
-Answer ask(OpenscadProgram& program, RunContext& context) {
-  constexpr double kPatience = 30;
+/// Asks the program what it can do; `patience`: seconds.
+Answer ask(OpenscadProgram& program, double patience, RunContext& context) {
   // Experiments of today's OpenSCAD without which a program that names them is not understood.
   constexpr std::array kExperiments{"roof", "textmetrics", "import-function", "object-function"};
   Answer answer;
   SubprocessRun run;
   run.arguments = program.command;
   run.arguments.emplace_back("--help");
-  run.timeout = kPatience;
+  run.timeout = patience;
   run.bounded = program.bounded;
   run.line = [&](const std::string& line) {
+    if (answer.line.empty()) answer.line = line;
     const auto has = [&](std::string_view word) { return line.find(word) != std::string::npos; };
     answer.exports = answer.exports || has("binstl");
     program.has_backend = program.has_backend || has("--backend");
@@ -80,13 +82,30 @@ Answer ask(OpenscadProgram& program, RunContext& context) {
   return answer;
 }
 
+/// What is wrong with a program that cannot be used.
+std::string what_is_wrong(const OpenscadProgram& program, const Answer& answer, double patience) {
+  const SubprocessEnd& end = answer.end;
+  if (end.start_error != 0) {
+    return fmt::format("{} cannot be run ({})", program.name, std::strerror(end.start_error));
+  }
+  if (end.timed_out) {
+    return fmt::format("{} did not answer to --help in {:g} s", program.name, patience);
+  }
+  if (program.newest) {
+    return fmt::format(
+        "{} is installed and does not start ({})", program.name,
+        answer.line.empty() ? fmt::format("status {}", end.status) : clean_name(answer.line));
+  }
+  return fmt::format("{} is no OpenSCAD of 2021.01 or newer (by its --help)", program.name);
+}
+
 }  // namespace
 
 void OpenscadProgram::fail_to_start(int error) const {
   throw InputError(fmt::format("{} cannot be run: {}", name, std::strerror(error)));
 }
 
-OpenscadPrograms::OpenscadPrograms() {
+OpenscadPrograms::OpenscadPrograms(double timeout) : patience_(std::min(timeout, 30.)) {
   std::string named = environment("BURIN_OPENSCAD");
   named_by_user_ = !named.empty();
   if (named_by_user_) {
@@ -113,7 +132,7 @@ OpenscadProgram OpenscadPrograms::current(RunContext& context) {
 std::optional<OpenscadProgram> OpenscadPrograms::next(RunContext& context) {
   for (; at_ < candidates_.size(); ++at_) {
     OpenscadProgram& program = candidates_[at_];
-    const Answer answer = ask(program, context);
+    const Answer answer = ask(program, patience_, context);
     if (answer.end.start_error == 0 && answer.exports) {
       found_ = program;
       ++at_;
@@ -125,14 +144,12 @@ std::optional<OpenscadProgram> OpenscadPrograms::next(RunContext& context) {
                       "openscad command",
                       program.name, std::strerror(answer.end.start_error)));
     }
-    // A program that is not there is no reason; nor is Node without the package.
-    if (at_ + 1 == candidates_.size() && !named_by_user_) continue;
+    // A program that is not there is no reason; nor is Node without the package, or none.
     if (answer.end.start_error == ENOENT || !reason_.empty()) continue;
-    reason_ = answer.end.start_error != 0
-                  ? fmt::format("{} cannot be run ({})", program.name,
-                                std::strerror(answer.end.start_error))
-                  : fmt::format("{} is no OpenSCAD of 2021.01 or newer ({})", program.name,
-                                answer.end.timed_out ? "it does not answer" : "by its --help");
+    constexpr int kNoPackage = 127;
+    if (program.newest && (answer.end.start_error != 0 || answer.end.status == kNoPackage))
+      continue;
+    reason_ = what_is_wrong(program, answer, patience_);
   }
   if (found_) return {};
   if (reason_.empty()) {

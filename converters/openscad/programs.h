@@ -34,18 +34,24 @@ struct OpenscadProgram {
 /// (burin/openscad beside the library has the script).
 class OpenscadPrograms {
  public:
-  OpenscadPrograms();
+  /// `timeout`: seconds that a run may take.
+  explicit OpenscadPrograms(double timeout);
 
-  /// The next one, asked for its help (up to 30 s: a cold start reads all fonts), or nothing.
+  /// The next one, asked for its help (up to 30 s, as a cold start reads all fonts, and no longer
+  /// than a run may take), or nothing.
   /// Throws InputError where BURIN_OPENSCAD names none, or where there is none at all; Cancelled.
   std::optional<OpenscadProgram> next(RunContext& context);
   /// The one that `next` gave last, or its first.
   OpenscadProgram current(RunContext& context);
 
+  /// Why one that is there could not be used, for the user; else empty.
+  const std::string& reason() const { return reason_; }
+
   /// Why it is not the first, for the user; empty where it is.
   std::string note;
 
  private:
+  double patience_;
   std::vector<OpenscadProgram> candidates_;
   std::size_t at_ = 0;
   bool named_by_user_ = false;

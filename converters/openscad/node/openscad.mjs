@@ -117,7 +117,10 @@ if (!folder) {
   fs.writeSync(2, `npm's package ${PACKAGE} is not installed\n`);
   process.exit(127);
 }
-const openscad = await start(folder);
+const openscad = await start(folder).catch((error) => {
+  fs.writeSync(2, `${folder}: ${error.message.split("\n")[0]}\n`);
+  process.exit(1);
+});
 const words = process.argv.slice(2);
 const out = words.indexOf("-o") + 1;
 const target = out > 0 ? words[out] : undefined;
