@@ -109,6 +109,12 @@ void Console::watching(bool drawn, double seconds, std::size_t files) {
                   files == 1 ? "file" : "files"));
 }
 
+void Console::begins_again(const std::string& file) {
+  if (quiet_) return;
+  clear();
+  say(fmt::format("burin: {} has changed; drawing again\n", file));
+}
+
 void Console::stages(const RunContext& context, double total) {
   if (!verbose_ || quiet_) return;
   clear();

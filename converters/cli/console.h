@@ -38,6 +38,8 @@ class Console {
   /// One line after each drawing of `burin watch`, with what it took; `files`: how many are
   /// watched.
   void watching(bool drawn, double seconds, std::size_t files);
+  /// One line where a drawing of `burin watch` was ended, as a file has changed.
+  void begins_again(const std::string& file);
   /// The lines of --verbose: the stages in their order, then the total.
   void stages(const RunContext& context, double total);
 

@@ -29,6 +29,9 @@ constexpr milliseconds kOften{50};
 constexpr int kShare = 10;
 /// So long no file has changed any more before it is drawn: who saves writes more than once.
 constexpr milliseconds kCalm{100};
+/// After so many drawings in a row that ended early one is drawn to its end, so that a file that
+/// never rests is drawn too.
+constexpr int kEndedEarly = 3;
 /// So long a file may be gone: editors write another one and rename it.
 constexpr milliseconds kGone{1000};
 
@@ -74,6 +77,38 @@ void leave_out(const std::vector<std::string>& outputs, InputFiles::Stamps& file
         outputs, [&](const std::string& output) { return same_file(one.first, output); });
   });
 }
+
+/// Ends a drawing whose files have changed since it read them. From its reports, which come in its
+/// own thread.
+class Newer {
+ public:
+  Newer(const InputFiles& read, const std::vector<std::string>& outputs)
+      : read_(read), outputs_(outputs) {}
+
+  /// Looks at the files, as often as `wait_for_change` does.
+  void look(RunContext& run) {
+    const Clock::time_point start = Clock::now();
+    if (!name_.empty() || start < next_) return;
+    InputFiles::Stamps files = read_.stamps();
+    leave_out(outputs_, files);
+    for (const auto& [name, stamp] : files) {
+      if (stamp_of(name) == stamp) continue;
+      name_ = name;
+      run.cancel();
+      break;
+    }
+    const Clock::time_point end = Clock::now();
+    next_ = end + std::max<Clock::duration>(kOften, kShare * (end - start));
+  }
+  /// The first file that has changed, or empty.
+  const std::string& name() const { return name_; }
+
+ private:
+  const InputFiles& read_;
+  const std::vector<std::string>& outputs_;
+  std::string name_;
+  Clock::time_point next_{};
+};
 
 /// The outputs that are pages, which learn of each drawing.
 class Pages {
@@ -142,14 +177,24 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
   KeptScene kept;
   kept.live = true;
   const Pages pages(arguments);
-  for (bool first = true;; first = false) {
+  int ended_early = 0;
+  bool first = true;
+  for (;;) {
     const Clock::time_point start = Clock::now();
     const InputFiles read;
+    Newer newer(read, arguments.outputs);
     // One a drawing: it has times of its own.
     RunContext run([&](const std::string& stage, double share) {
       console.progress(stage, share, run.doing());
+      if (ended_early < kEndedEarly) newer.look(run);
     });
-    const bool drawn = try_draw(arguments, first, run, console, kept);
+    bool drawn = false;
+    try {
+      drawn = try_draw(arguments, first, run, console, kept);
+    } catch (const Cancelled&) {
+      if (newer.name().empty()) throw;
+      context.check();  // a signal, too
+    }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // Where it ended early, the files that would have come after count as they were.
     InputFiles::Stamps now = read.stamps();
@@ -158,7 +203,13 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
     leave_out(arguments.outputs, files);
     if (drawn) pages.drawn();
     if (drawn) console.stages(run, seconds);
-    console.watching(drawn, seconds, files.size());
+    ended_early = !drawn && !newer.name().empty() ? ended_early + 1 : 0;
+    if (ended_early > 0) {
+      console.begins_again(newer.name());
+    } else {
+      first = false;
+      console.watching(drawn, seconds, files.size());
+    }
     wait_for_change(files, context);
   }
 }

@@ -241,6 +241,18 @@ TEST_F(Watch, SeesWhatOpenscadFilesTakeIn) {
   expect_clean_end();
 }
 
+TEST_F(Watch, AChangeEndsTheDrawingUnderWay) {
+  // Half a minute of strokes.
+  const std::string slow = folder_.write("slow.off", test::off_text(test::torus(20, 8, 400, 200)));
+  watch(words_of(slow + " --style engraving --set hatch.spacing_min=0.45 --set " +
+                 "hatch.spacing_max=0.45 --paper A0 --progress -o " + (folder_ / "out.svg")));
+  ASSERT_TRUE(said("progress trace", 1));
+  fs::copy_file(box_, slow, fs::copy_options::overwrite_existing);
+  ASSERT_TRUE(said("slow.off has changed; drawing again\n", 1));
+  ASSERT_TRUE(drawn(1));
+  expect_clean_end();
+}
+
 TEST_F(Watch, TheTimesOfEachDrawingAreItsOwn) {
   watch({box_, "-o", folder_ / "out.svg", "-v"});
   ASSERT_TRUE(drawn(1));
