@@ -37,7 +37,7 @@ std::optional<std::string> text_of_style(const std::string& name) {
 bool is_said_opaque(const std::string& style_text) {
   const auto style = nlohmann::json::parse(style_text, nullptr, false, true);
   const auto is_one = [](const nlohmann::json& value) {
-    Style read;
+    Style read = builtin_style("technical");
     read.fill.opacity = 0;
     set_style_key(read, "fill.opacity",
                   value.is_string() ? value.get<std::string>() : value.dump());
