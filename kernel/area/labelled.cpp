@@ -76,16 +76,17 @@ struct Found {
   bool mixed = false;
 };
 
-/// What most places have; of equally many the middle's label, then the first's.
-Found found_of(const AreaLabel& middle, std::span<const AreaLabel> round) {
-  Found out{middle, middle, false};
+/// Adds the places around the middle. The label is that of most; of equally many the middle's, then
+/// the first's. Does not write the middle's, which other threads read.
+void add_round(Found& found, std::span<const AreaLabel> round) {
+  const AreaLabel& middle = found.middle;
+  found.label = middle;
   std::ptrdiff_t times = 1 + std::ranges::count(round, middle);
   for (const AreaLabel& label : round) {
-    out.mixed = out.mixed || label != middle;
+    found.mixed = found.mixed || label != middle;
     const std::ptrdiff_t n = std::ranges::count(round, label);
-    if (n > times) out.label = label, times = n;
+    if (n > times) found.label = label, times = n;
   }
-  return out;
 }
 
 /// Borders within one triangle, as pieces from end to end.
@@ -241,7 +242,6 @@ class Labeller {
   void look_round(std::size_t t) {
     if (area_of(mesh_, t) < kLeastDivided) return;
     const Corners corners = corners_of(mesh_, t);
-    const AreaLabel middle = found_[t].middle;
     const std::size_t side = longest_side(corners);
     const double longest = glm::distance(corners[side], corners[(side + 1) % 3]);
     if (longest < kShort && as_beside(t)) return;
@@ -250,11 +250,11 @@ class Labeller {
     if (2 * area_of(mesh_, t) < kThin * longest) {
       labels[0] = label_at_(places[2 * side]);
       labels[1] = label_at_(places[2 * ((side + 1) % 3)]);
-      found_[t] = found_of(middle, std::span(labels).first(2));
+      add_round(found_[t], std::span(labels).first(2));
       return;
     }
     std::ranges::transform(places, labels.begin(), label_at_);
-    found_[t] = found_of(middle, labels);
+    add_round(found_[t], labels);
   }
 
   /// Whether the middles of the triangles beyond sides without a line are like its own.
