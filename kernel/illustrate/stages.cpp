@@ -185,8 +185,9 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
   return lines_.get(view, [&] {
     Diagnostics said;
     const auto proxies = view.occluders->proxies();
-    std::vector<Curve3> features = extract_features(proxies, view.camera, view.features, said,
-                                                    context, view.occluders->transparent());
+    std::vector<Curve3> features =
+        extract_features(proxies, view.camera, view.features, said, context,
+                         {view.occluders->transparent(), view.ranks});
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
@@ -294,10 +295,10 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (states_gamma(part_styles)) drawing.stats.tone_gamma = totals.tone_gamma;
 
   context.begin_stage(RunStage::Features);
-  const std::shared_ptr<Lines> features =
-      lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles),
-                options.trails, options.magnified, drawn_isophotes(part_styles, camera)},
-               context);
+  const std::shared_ptr<Lines> features = lines_of(
+      {trees, camera, feature_options(part_styles), draws_outline(part_styles), options.trails,
+       options.magnified, drawn_isophotes(part_styles, camera), part_styles.meeting_ranks()},
+      context);
   drawing.diagnostics.append(features->said);
 
   context.begin_stage(RunStage::Visibility);

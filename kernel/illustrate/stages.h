@@ -54,6 +54,8 @@ class Stages {
     std::vector<Curve3> trails;
     double magnified = 1;
     std::vector<Isophotes> isophotes;
+    /// `MeetingParts::ink`.
+    std::vector<double> ranks;
     bool operator==(const View&) const = default;
   };
   struct Lines {
