@@ -169,12 +169,14 @@ std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& o
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
   }
+  const FeatureOptions lines{.smooth = options.faces || options.found.smooth,
+                             .seams = options.faces || options.found.seams};
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const FaceColors* colors = colors_of(options, i);
     if (!colors) continue;
     std::vector<Curve3> more = kind_borders(
         *proxies[i], static_cast<std::int32_t>(i),
-        [&](std::int32_t face) { return colors->at(face); }, options.faces || options.found.smooth);
+        [&](std::int32_t face) { return colors->at(face); }, lines);
     std::ranges::move(more, std::back_inserter(out));
   }
   std::vector<std::vector<Curve3>> isophotes(proxies.size());
