@@ -314,8 +314,16 @@ LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
 
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
-                       const LightNormals& normals, const RunContext& context) {
+                       LightNormals normals, const RunContext& context) {
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
+  const auto proxies = occluders.solid_proxies();
+  parallel_for(
+      proxies.size(), 1,
+      [&](std::size_t i, std::size_t) {
+        normals[i] = without_islands(*proxies[i], std::move(normals[i]), options.tones[i], camera,
+                                     options.pen);
+      },
+      &context);
   Borders borders(camera);
   add_seen(lines, occluders, borders);
   const ViewProbe probe = view_probe(occluders.solid(), camera);

@@ -56,6 +56,8 @@ class Stages {
     std::vector<Isophotes> isophotes;
     /// `MeetingParts::ink`.
     std::vector<double> ranks;
+    /// Paper mm, for isophotes; else 0.
+    double pen = 0;
     bool operator==(const View&) const = default;
   };
   struct Lines {
