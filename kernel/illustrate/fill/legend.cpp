@@ -1,3 +1,4 @@
+#include <burin/area/largest_disc.h>
 #include <burin/illustrate/legend.h>
 
 #include "fills.h"
@@ -84,9 +85,21 @@ class Shades {
   bool ground_;
 };
 
+/// Whether an area is as wide as a pen anywhere: all of a narrower one may lie under lines.
+bool is_wide(const Area& area, double pen) {
+  std::vector<BorderSide> sides;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      sides.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    }
+  }
+  const double enough = 0.5 * pen;
+  return largest_disc(sides, {}, {.precision = 0.02 * pen, .enough = enough}).radius >= enough;
+}
+
 /// Whether any area, or its hatching, is one that a row stands for.
 bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
-             const Drawing& drawing) {
+             const Drawing& drawing, double pen) {
   std::set<std::int32_t> parts;
   for (const DrawingItem& item : items) {
     if (item.name != row.name) continue;
@@ -106,7 +119,7 @@ bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Sha
     if (!area.role.empty() || area.fill.empty() || !parts.contains(area.part)) return false;
     const auto [at, fresh] = known.try_emplace(area.part);
     if (fresh) at->second = shades.of(static_cast<std::size_t>(area.part), row.square);
-    return at->second.contains(area.fill);
+    return at->second.contains(area.fill) && is_wide(area, pen);
   });
 }
 
@@ -138,7 +151,9 @@ Annotations with_seen_rows(const Scene& scene, const Style& style, const Illustr
   Annotations out = *options.annotations;
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
-  for (LegendRow& row : out.legend) row.seen = is_seen(row, out.items, shades, drawing);
+  for (LegendRow& row : out.legend) {
+    row.seen = is_seen(row, out.items, shades, drawing, style.line.crease);
+  }
   return out;
 }
 

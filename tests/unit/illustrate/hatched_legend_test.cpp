@@ -102,6 +102,47 @@ TEST(HatchedLegend, HasColoursThatAreNamedAndHatchesThemWhereTheShadeAloneIs) {
   EXPECT_EQ(lines(legend(two_boxes(), style).drawing, true).size(), 2u);
 }
 
+// The pin stands behind the lid and looks out beside it. On the sheet it is `wide` mm.
+Strings seen_beside(double wide) {
+  Scene scene = two_boxes();
+  scene.parts.pop_back();
+  constexpr double kScale = 4;
+  scene.parts.push_back(
+      {"pin", "a.stl",
+       std::make_shared<MeshForm>(test::box({5, 6, 2}, {10 + wide / kScale, 8, 8}))});
+  scene.parts.back().color = "#00ff00";
+  IllustrateOptions options;
+  Annotations& over = options.annotations.emplace();
+  over.items = {{1, "lid", {0}, "", ""}, {2, "pin", {1}, "", ""}};
+  const Style style = builtin_style("flat");
+  over.legend = legend_rows(scene, style, options, over.items);
+  RunContext context;
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = {0, -1, 0}, .scale = kScale, .paper = {150, 100}});
+  const Drawing drawing = illustrate(scene, camera, style, options, context);
+  Strings out;
+  for (const LegendRow& row : with_seen_rows(scene, style, options, drawing).legend) {
+    if (row.seen) out.push_back(row.name);
+  }
+  return out;
+}
+
+TEST(Legend, HasNoRowOfWhatIsHiddenOrLiesUnderLines) {
+  EXPECT_EQ(seen_beside(-1), Strings{"lid"});
+  EXPECT_EQ(seen_beside(0), Strings{"lid"});
+  EXPECT_EQ(seen_beside(0.15), Strings{"lid"}) << "a line's width";
+  EXPECT_EQ(seen_beside(0.4), (Strings{"lid", "pin"}));
+}
+
+// Where two parts lie in one place of the picture the first one is seen.
+TEST(Legend, HasNoRowOfAPartThatAnotherCovers) {
+  Scene scene = two_boxes();
+  scene.parts[1].form = std::make_shared<MeshForm>(test::box({2, 0, 2}, {8, 4, 8}));
+  const Legend found = legend(scene, builtin_style("flat"));
+  EXPECT_EQ(found.seen, Strings{"#ff0000"});
+}
+
 TEST(HatchedLegend, HasNoneOfLinesInTheInkOfTheSheetOrOfGlass) {
   Style style = hatched();
   style.fill.hatch.color = "";
