@@ -358,6 +358,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
              context);
+    divide_squares(scene, style, options, drawing);
     hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;
