@@ -12,19 +12,12 @@ namespace {
 
 constexpr std::size_t kEdgeGrain = 65536;
 
-bool is_wanted(const ProxyMesh& proxy, std::size_t h, const FeatureOptions& options) {
-  if (proxy.edge_kind[h] != EdgeKind::Smooth) return true;
-  if (proxy.source_edge.empty() || proxy.source_edge[h] < 0) return false;
-  const bool seam = !proxy.seam.empty() && proxy.seam[h] != 0;
-  return seam ? options.seams : options.smooth;
-}
-
 /// One half-edge for each edge that is wanted, ascending.
 std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const FeatureOptions& options,
                                     const RunContext& context) {
   const auto wanted = [&](HalfEdge h) {
     const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
-    return (o == kNoHalfEdge || h <= o) && is_wanted(proxy, static_cast<std::size_t>(h), options);
+    return (o == kNoHalfEdge || h <= o) && is_chained(proxy, h, options);
   };
   return parallel_filter<HalfEdge>(proxy.edge_kind.size(), kEdgeGrain, wanted, context);
 }
@@ -130,6 +123,14 @@ class Chainer {
 };
 
 }  // namespace
+
+bool is_chained(const ProxyMesh& proxy, HalfEdge half_edge, const FeatureOptions& options) {
+  const auto h = static_cast<std::size_t>(half_edge);
+  if (proxy.edge_kind[h] != EdgeKind::Smooth) return true;
+  if (proxy.source_edge.empty() || proxy.source_edge[h] < 0) return false;
+  const bool seam = !proxy.seam.empty() && proxy.seam[h] != 0;
+  return seam ? options.seams : options.smooth;
+}
 
 std::vector<EdgeChain> chain_edges(const ProxyMesh& proxy, const FeatureOptions& options,
                                    const RunContext& context) {

@@ -25,6 +25,9 @@ struct EdgeChain {
   bool fold = false;
 };
 
+/// Whether `chain_edges` has an edge.
+bool is_chained(const ProxyMesh& proxy, HalfEdge half_edge, const FeatureOptions& options);
+
 /// All creases and boundaries, and what `options` ask for of the smooth edges of the input, in
 /// order of their edge of the input, then of their first half-edge. Chains end where convex turns
 /// to concave and where another line of the same edge of the input joins (without a source: any

@@ -26,7 +26,7 @@ void append(std::vector<Curve3>&& from, std::vector<Curve3>& to) {
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      const Camera& camera, const FeatureOptions& options,
                                      Diagnostics& diagnostics, const RunContext& context,
-                                     const std::vector<bool>& transparent) {
+                                     const MeetingParts& meeting) {
   std::vector<Curve3> curves;
   std::int64_t noise = 0;
   const bool edges =
@@ -70,8 +70,7 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     append(std::move(lines), curves);
   }
   if (options.intersections) {
-    std::vector<Curve3> lines =
-        intersection_curves(proxies, camera, transparent, diagnostics, context);
+    std::vector<Curve3> lines = intersection_curves(proxies, camera, meeting, diagnostics, context);
     for (Curve3& line : lines) {
       const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(line.source.part)];
       if (proxy.source_face.empty()) continue;

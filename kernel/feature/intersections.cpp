@@ -151,7 +151,7 @@ std::vector<Candidates> candidates(const std::vector<Component>& all,
 }  // namespace
 
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, const std::vector<bool>& transparent,
+                                        const Camera& camera, const MeetingParts& meeting,
                                         Diagnostics& diagnostics, const RunContext& context) {
   std::size_t count = 0;
   for (const ProxyMesh* p : proxies) count += p->topology.component_closed.size();
@@ -174,9 +174,10 @@ std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxie
         std::span<const std::uint32_t> of_a = near[i].a, of_b = near[i].b;
         for (PieceOfPart* p : {&a, &b}) {
           const auto part = static_cast<std::size_t>(p->part);
-          p->transparent = part < transparent.size() && transparent[part];
+          p->transparent = part < meeting.transparent.size() && meeting.transparent[part];
+          p->ink = part < meeting.ink.size() ? meeting.ink[part] : 0;
         }
-        if (a.transparent && !b.transparent) {
+        if (b.transparent != a.transparent ? a.transparent : b.ink > a.ink) {
           std::swap(a, b);
           std::swap(of_a, of_b);
         }

@@ -5,6 +5,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/feature/feature.h>
 #include <burin/mesh/proxy_mesh.h>
 
 #include "exact/triangle_pairs.h"
@@ -20,14 +21,15 @@ struct PieceOfPart {
   std::int32_t part = -1;
   const ProxyMesh* proxy = nullptr;
   bool transparent = false;
+  /// How much its lines show.
+  double ink = 0;
 };
 
 /// The intersection curves of all components, of different parts or of one. They run in the concave
 /// edge of the union: on closed surfaces they are self-hidden where either surface is turned away;
-/// of a solid and a transparent part where the solid one is, whose they are. `transparent`: one a
-/// part, or empty.
+/// of a solid and a transparent part where the solid one is, whose they are.
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, const std::vector<bool>& transparent,
+                                        const Camera& camera, const MeetingParts& meeting,
                                         Diagnostics& diagnostics, const RunContext& context);
 
 /// Chains the segments of two components, drops contacts, and cuts where the smooth region of `a`

@@ -1,5 +1,7 @@
 #include <burin/feature/kind_borders.h>
 
+#include "edge_chains.h"
+
 #include <unordered_map>
 #include <utility>
 
@@ -70,13 +72,13 @@ class Ways {
 
 std::vector<Curve3> kind_borders(const ProxyMesh& proxy, std::int32_t part,
                                  const std::function<std::int32_t(std::int32_t face)>& kind,
-                                 bool but_edges) {
+                                 const FeatureOptions& lines) {
   Ways ways(proxy);
   for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
     const auto h = static_cast<HalfEdge>(i);
     const HalfEdge o = proxy.topology.opposite[i];
     if (o <= h || proxy.edge_kind[i] != EdgeKind::Smooth) continue;
-    if (but_edges && !proxy.source_edge.empty() && proxy.source_edge[i] >= 0) continue;
+    if (is_chained(proxy, h, lines)) continue;
     const std::int32_t f = proxy.face_source(face_of(h)), g = proxy.face_source(face_of(o));
     if (f != g && kind(f) != kind(g)) ways.add(h);
   }

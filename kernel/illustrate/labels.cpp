@@ -48,12 +48,13 @@ std::vector<LabelBorder> borders_of(const Drawing& drawing) {
 std::vector<LabelBorder> borders_of_colors(const LabelRequest& wanted) {
   std::vector<LabelBorder> lines;
   const Occluders& occluders = *wanted.occluders;
+  const FeatureOptions none{.smooth = false, .seams = false};
   for (std::size_t i = 0; i < wanted.colors.size(); ++i) {
     const FaceColors* colors = wanted.colors[i].get();
     if (!colors || !occluders.transparent(i)) continue;
     const auto color = [&](std::int32_t face) { return colors->at(face); };
     for (const Curve3& curve :
-         kind_borders(*occluders.proxies()[i], static_cast<std::int32_t>(i), color, false)) {
+         kind_borders(*occluders.proxies()[i], static_cast<std::int32_t>(i), color, none)) {
       LabelBorder& line = lines.emplace_back(LabelBorder{{}, curve.closed});
       for (const Vec3& p : curve.points) line.points.push_back(wanted.camera.to_paper(p));
     }

@@ -2,6 +2,7 @@
 
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
+#include <burin/drawing/color.h>
 #include <burin/illustrate/stroke_selectors.h>
 
 #include <fmt/format.h>
@@ -40,6 +41,15 @@ void share_tone(std::span<const StrokeSet> all, bool one_tone, StrokeSet& set) {
   }
   const bool alone = std::ranges::all_of(set.exponents, [](double e) { return e == 1; });
   if (alone) set.exponents.clear();
+}
+
+// How much ink a mm has of the lines in which a part meets others, 0 where it has none.
+double meeting_ink(const Style& style, const Style& sheet) {
+  if (!style.feature.intersections) return 0;
+  const std::string& own = style.line.color;
+  const Rgb ink = rgb_of(own.empty() ? sheet.sheet.ink : own).value_or(Rgb{});
+  const Rgb paper = rgb_of(sheet.sheet.paper).value_or(Rgb{255, 255, 255});
+  return style.line.intersection * contrast(ink, paper);
 }
 
 }  // namespace
@@ -94,6 +104,18 @@ void PartStyles::find_strokes(const Scene& scene, bool one_tone) {
 bool PartStyles::any_transparent() const {
   return std::any_of(parts_.begin(), parts_.end(),
                      [](const One& one) { return one.transparent && one.drawn; });
+}
+
+std::vector<double> PartStyles::meeting_ranks() const {
+  if (styles_.size() < 2) return {};
+  std::vector<double> inks;
+  for (const Style* style : styles_) inks.push_back(meeting_ink(*style, *styles_.front()));
+  std::vector<double> ranks;
+  for (const One& one : parts_) {
+    ranks.push_back(static_cast<double>(
+        std::ranges::count_if(inks, [&](double ink) { return ink < inks[one.style]; })));
+  }
+  return ranks;
 }
 
 }  // namespace burin::detail

@@ -33,6 +33,9 @@ class PartStyles {
   bool transparent(std::size_t part) const { return parts_[part].transparent; }
   bool hatched(std::size_t part) const { return parts_[part].hatched; }
   bool any_transparent() const;
+  /// One a part: its place in the order of how much the lines show in which it meets others, from
+  /// 0; equal where they show as much. Empty where all parts have one style.
+  std::vector<double> meeting_ranks() const;
 
   /// Styles that differ, in the order of the parts that bring them; the first is the drawing's.
   const std::vector<const Style*>& styles() const { return styles_; }

@@ -169,12 +169,14 @@ std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& o
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
   }
+  const FeatureOptions lines{.smooth = options.faces || options.found.smooth,
+                             .seams = options.faces || options.found.seams};
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const FaceColors* colors = colors_of(options, i);
     if (!colors) continue;
     std::vector<Curve3> more = kind_borders(
         *proxies[i], static_cast<std::int32_t>(i),
-        [&](std::int32_t face) { return colors->at(face); }, options.faces || options.found.smooth);
+        [&](std::int32_t face) { return colors->at(face); }, lines);
     std::ranges::move(more, std::back_inserter(out));
   }
   std::vector<std::vector<Curve3>> isophotes(proxies.size());
@@ -312,8 +314,16 @@ LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
 
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
-                       const LightNormals& normals, const RunContext& context) {
+                       LightNormals normals, const RunContext& context) {
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
+  const auto proxies = occluders.solid_proxies();
+  parallel_for(
+      proxies.size(), 1,
+      [&](std::size_t i, std::size_t) {
+        normals[i] = without_islands(*proxies[i], std::move(normals[i]), options.tones[i], camera,
+                                     options.pen);
+      },
+      &context);
   Borders borders(camera);
   add_seen(lines, occluders, borders);
   const ViewProbe probe = view_probe(occluders.solid(), camera);

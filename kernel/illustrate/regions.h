@@ -62,7 +62,7 @@ LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
 /// ray a mm of isophotes. Throws Cancelled.
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                        const Camera& camera, const RegionOptions& options, const LightView* light,
-                       const LightNormals& normals, const RunContext& context);
+                       LightNormals normals, const RunContext& context);
 
 /// What is seen of each part, whatever else parts the sheet; by part.
 std::vector<Area> silhouettes(const Partition& partition);

@@ -9,9 +9,9 @@
 #include <burin/verify/verify.h>
 
 #include "compose.h"
-#include "exact_places.h"
 #include "fill/fills.h"
 #include "fill/hatch_areas.h"
+#include "isophote_lines.h"
 #include "on_sheet.h"
 #include "shadow/ground_shadow.h"
 #include "shadow/light_view.h"
@@ -42,20 +42,6 @@ FeatureOptions feature_options(const PartStyles& part_styles) {
     options.seams |= style->feature.seams;
   }
   return options;
-}
-
-// Where the lines of equal light run that parts are drawn with: one a part; empty where none has
-// any.
-std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Camera& camera) {
-  std::vector<Isophotes> out;
-  bool any = false;
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const Style& style = part_styles.style(i);
-    const auto count = part_styles.drawn(i) ? style.feature.isophotes : 0;
-    out.push_back({tone::to_light(camera, style.tone), even_levels(count + 1)});
-    any = any || count > 0;
-  }
-  return any ? out : std::vector<Isophotes>();
 }
 
 // Whether lines over regions have the colour of these.
@@ -185,17 +171,15 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
   return lines_.get(view, [&] {
     Diagnostics said;
     const auto proxies = view.occluders->proxies();
-    std::vector<Curve3> features = extract_features(proxies, view.camera, view.features, said,
-                                                    context, view.occluders->transparent());
+    std::vector<Curve3> features =
+        extract_features(proxies, view.camera, view.features, said, context,
+                         {view.occluders->transparent(), view.ranks});
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
-    for (std::size_t i = 0; i < view.isophotes.size(); ++i) {
-      std::vector<Curve3> lines =
-          trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), view.isophotes[i], view.camera,
-                          context, {.exact = exact_places(*view.occluders->surfaces()[i])});
-      std::ranges::move(lines, std::back_inserter(features));
-    }
+    std::ranges::move(
+        isophote_lines(*view.occluders, view.camera, view.isophotes, view.pen, context),
+        std::back_inserter(features));
     features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
@@ -294,10 +278,16 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (states_gamma(part_styles)) drawing.stats.tone_gamma = totals.tone_gamma;
 
   context.begin_stage(RunStage::Features);
-  const std::shared_ptr<Lines> features =
-      lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles),
-                options.trails, options.magnified, drawn_isophotes(part_styles, camera)},
-               context);
+  View view{trees,
+            camera,
+            feature_options(part_styles),
+            draws_outline(part_styles),
+            options.trails,
+            options.magnified,
+            drawn_isophotes(part_styles, camera),
+            part_styles.meeting_ranks()};
+  if (!view.isophotes.empty()) view.pen = style.line.crease;
+  const std::shared_ptr<Lines> features = lines_of(view, context);
   drawing.diagnostics.append(features->said);
 
   context.begin_stage(RunStage::Visibility);
@@ -368,6 +358,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
              context);
+    divide_squares(scene, style, options, drawing);
     hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;

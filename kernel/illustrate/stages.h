@@ -54,6 +54,10 @@ class Stages {
     std::vector<Curve3> trails;
     double magnified = 1;
     std::vector<Isophotes> isophotes;
+    /// `MeetingParts::ink`.
+    std::vector<double> ranks;
+    /// Paper mm, for isophotes; else 0.
+    double pen = 0;
     bool operator==(const View&) const = default;
   };
   struct Lines {

@@ -89,7 +89,8 @@ class PartJob:
     triangles: Any = None
     placement: Optional[Tuple[float, ...]] = None  # where `brep` is: 16 numbers of a rigid motion, row by row
     color: str = ""
-    face_colors: Tuple[str, ...] = ()  # of each face of `brep`, where they differ
+    opacity: float = 1.0  # below 1 what is behind shows through
+    face_colors: Tuple[str, ...] = ()  # of each face of `brep`, where they differ, of glass with its opacity
     assembly: List[str] = field(default_factory=list)
     definition: str = ""  # the name of what it is an instance of
     drawn: bool = True
@@ -103,6 +104,8 @@ class PartJob:
 
 
 _SHAPE = {"brep", "vertices", "triangles", "placement"}
+# Fields of later versions: drawings that are stored stay up to date where these say nothing.
+_LATER = {"face_colors", "opacity"}
 
 # Seconds after which no further shape is looked at for faults.
 LOOK = 10.0
@@ -156,8 +159,9 @@ class Job:
         digest = hashlib.sha256(repr((said, sorted(self.files.items()))).encode())
         blocks_of = {}
         for part in self.parts:
-            said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE and f.name != "face_colors"]
-            said += [part.face_colors] if part.face_colors else []  # other drawings that are stored stay up to date
+            said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE | _LATER]
+            said += [part.face_colors] if part.face_colors else []
+            said += [part.opacity] if part.opacity < 1 else []
             digest.update(repr(said).encode())
             if part.brep is not None:
                 if id(part.brep) not in blocks_of:

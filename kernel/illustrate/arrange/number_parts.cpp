@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -40,6 +41,20 @@ std::vector<bool> unlisted_of(const std::vector<PartStyle>& styles) {
 /// Of what has a body of this path: all of its bodies.
 std::string selector_of_whole(const std::string& of_body) {
   return of_body.starts_with('@') ? of_body : of_body.substr(0, of_body.rfind('/'));
+}
+
+/// Whether rows of several names have one colour.
+bool are_alike(const std::vector<LegendRow>& rows) {
+  return rows.size() > 1 && std::ranges::all_of(rows, [&](const LegendRow& row) {
+           return row.square.fill == rows.front().square.fill;
+         });
+}
+
+/// Whether the legend is to have some parts alone: these it tells from the others.
+bool leaves_parts_out(const Illustration& illustration) {
+  return std::ranges::any_of(illustration.illustrate.part_styles, [](const PartStyle& look) {
+    return look.drawn && look.style && !look.style->fill.legend;
+  });
 }
 
 }  // namespace
@@ -83,6 +98,11 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
       scene.diagnostics.add(Severity::Warning, "legend.empty", 1,
                             "there is no colour for a legend: choose fill.color, or a style that "
                             "has colours, such as flat");
+    } else if (are_alike(annotations.legend) && !leaves_parts_out(illustration)) {
+      scene.diagnostics.add(Severity::Warning, "legend.alike",
+                            static_cast<std::int64_t>(annotations.legend.size()),
+                            "all parts have one colour, so that the legend does not tell them "
+                            "apart: choose a style in which parts have their own, such as flat");
     }
   }
   illustration.illustrate.annotations = std::move(annotations);

@@ -166,7 +166,7 @@ std::string Fills::color(const Area& area) const {
   if (area.fill.empty() || part_styles_.style(part).fill.color != "part") return color(part);
   if (area.role.empty()) return area.fill;
   for (const std::string& one : colors(part)) {
-    Area painted{.part = area.part, .rings = {}};
+    Area painted{.part = area.part, .tone = area.tone, .rings = {}};
     set_face_color(one, painted);
     std::string base = painted.fill;
     paint(painted);

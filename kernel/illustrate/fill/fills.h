@@ -72,6 +72,11 @@ void shade_areas(const Style& style, std::vector<Area>& areas);
 /// it.
 void settle_on(const Rgb& paper, Area& area);
 
+/// Divides the squares of the legend into the tones of their parts, where these differ by more than
+/// light: in the share of an ink, or in hatching.
+void divide_squares(const Scene& scene, const Style& style, const IllustrateOptions& options,
+                    Drawing& drawing);
+
 /// Lays a shadow below all areas, in its colour. It is not seen through parts that are opaque, even
 /// if their colour is not, or they have none: that is mixed with the paper.
 void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,

@@ -1,9 +1,12 @@
+#include <burin/area/largest_disc.h>
+#include <burin/base/box.h>
 #include <burin/illustrate/legend.h>
 
 #include "fills.h"
 #include "hatch_areas.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -36,6 +39,30 @@ class Shades {
     }
     return out;
   }
+  /// What stands on the sheet for a square that has its rings: itself, or where tones differ by
+  /// more than light, in the share of an ink or in hatching, each tone beside the others, the
+  /// lightest first and to the left.
+  std::vector<Area> steps_of(const Area& square) const {
+    const auto part = static_cast<std::size_t>(square.part);
+    const FillOptions& fill = part_styles_.style(part).fill;
+    const bool hatched = fill.hatch.lines != FillHatch::Lines::None;
+    if (fill.steps < 2 || part_styles_.transparent(part) || (fill.ink.empty() && !hatched)) {
+      return {square};
+    }
+    std::vector<Area> out;
+    for (const std::string& color : fills_.colors(part)) {
+      if (this->square(part, color).fill != square.fill) continue;
+      for (int tone = fill.steps - 1; tone >= 0; --tone) {
+        Area step = square.opacity > 0 ? painted(part, color, tone) : square;
+        step.tone = tone;
+        step.role = square.role;
+        step.rings = {stripe(square.rings.front(), fill, tone)};
+        out.push_back(std::move(step));
+      }
+      break;
+    }
+    return out;
+  }
   /// All that a square of a part stands for.
   std::set<std::string> of(std::size_t part, const Area& square) const {
     std::set<std::string> out;
@@ -62,6 +89,15 @@ class Shades {
     out.tone = -1;
     return out.fill.empty() ? hatched(std::move(out), color) : out;
   }
+  /// The stripe of a tone, with those of the darker ones where these lie over it.
+  static std::vector<Vec2> stripe(std::span<const Vec2> square, const FillOptions& fill, int tone) {
+    Box2 box;
+    for (const Vec2& p : square) box.add(p);
+    const double width = box.size().x / fill.steps;
+    const double right = detail::nests(fill) ? box.max.x : box.max.x - tone * width;
+    const double left = box.max.x - (tone + 1) * width;
+    return {{left, box.min.y}, {right, box.min.y}, {right, box.max.y}, {left, box.max.y}};
+  }
   /// Of lines alone, all that the darkest tone has.
   Area hatched(Area square, const std::string& color) const {
     const auto part = static_cast<std::size_t>(square.part);
@@ -84,9 +120,21 @@ class Shades {
   bool ground_;
 };
 
+/// Whether an area is as wide as a pen anywhere: all of a narrower one may lie under lines.
+bool is_wide(const Area& area, double pen) {
+  std::vector<BorderSide> sides;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      sides.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    }
+  }
+  const double enough = 0.5 * pen;
+  return largest_disc(sides, {}, {.precision = 0.02 * pen, .enough = enough}).radius >= enough;
+}
+
 /// Whether any area, or its hatching, is one that a row stands for.
 bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
-             const Drawing& drawing) {
+             const Drawing& drawing, double pen) {
   std::set<std::int32_t> parts;
   for (const DrawingItem& item : items) {
     if (item.name != row.name) continue;
@@ -106,11 +154,25 @@ bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Sha
     if (!area.role.empty() || area.fill.empty() || !parts.contains(area.part)) return false;
     const auto [at, fresh] = known.try_emplace(area.part);
     if (fresh) at->second = shades.of(static_cast<std::size_t>(area.part), row.square);
-    return at->second.contains(area.fill);
+    return at->second.contains(area.fill) && is_wide(area, pen);
   });
 }
 
 }  // namespace
+
+void detail::divide_squares(const Scene& scene, const Style& style,
+                            const IllustrateOptions& options, Drawing& drawing) {
+  const Shades shades(scene, style, options);
+  std::vector<Area> out;
+  for (Area& area : drawing.areas) {
+    if (area.role != "legend") {
+      out.push_back(std::move(area));
+      continue;
+    }
+    std::ranges::move(shades.steps_of(area), std::back_inserter(out));
+  }
+  drawing.areas = std::move(out);
+}
 
 std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    const IllustrateOptions& options,
@@ -138,7 +200,9 @@ Annotations with_seen_rows(const Scene& scene, const Style& style, const Illustr
   Annotations out = *options.annotations;
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
-  for (LegendRow& row : out.legend) row.seen = is_seen(row, out.items, shades, drawing);
+  for (LegendRow& row : out.legend) {
+    row.seen = is_seen(row, out.items, shades, drawing, style.line.crease);
+  }
   return out;
 }
 

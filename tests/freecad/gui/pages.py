@@ -115,6 +115,16 @@ class Whole(support.Case):
         support.drawn()
         page = self.check(obj)
         self.assertIn('fill="#', page.Views[0].Symbol)
+        self.assertNotIn("fill-opacity", page.Views[0].Symbol)
+
+    def test_parts_are_seen_through_as_in_the_3d_view(self):
+        box, ball = self.box_and_ball()
+        ball.ViewObject.Transparency = 60
+        obj = self.illustrate(box, ball)
+        obj.Style = "flat"
+        self.document.recompute()
+        support.drawn()
+        self.assertIn('fill-opacity="0.4', self.check(obj).Views[0].Symbol)
 
 
 support.run(__name__)

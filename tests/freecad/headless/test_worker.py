@@ -73,6 +73,18 @@ class Worker(Case):
         job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.assertIn(b"layers", self.worker.draw(job).drawing)
 
+    def test_glass_is_seen_through(self):
+        box = Part.makeBox(10, 10, 10).exportBrepToString().encode()
+
+        def drawn(**look):
+            parts = [PartJob("Box", "Box", box, **look)]
+            drawing = json.loads(self.worker.draw(Job(parts, {"style": "flat"})).drawing)
+            return {area["fill"][:7]: round(area["opacity"], 2) for area in drawing["areas"]}
+
+        self.assertEqual(drawn(color="#ff0000"), {"#ff0000": 1})
+        self.assertEqual(drawn(color="#ff0000", opacity=0.4), {"#ff0000": 0.4})
+        self.assertEqual(drawn(face_colors=("#ff000066",) * 6), {"#ff0000": 0.4})
+
     def test_a_worker_that_is_gone_does_not_end_freecad(self):
         folder = os.path.dirname(worker.__file__)
         done = subprocess.run([worker.interpreters()[0], "-c", BROKEN_PIPE, folder], capture_output=True, text=True, timeout=60)

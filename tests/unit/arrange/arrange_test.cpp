@@ -278,6 +278,26 @@ bool legend_is_clear(const Drawing& drawing) {
   return !legend.empty() && !legend.overlaps(parts);
 }
 
+TEST(Arrange, ALegendThatTellsNothingApartIsTold) {
+  Illustration illustration;
+  illustration.legend = true;
+  RunContext context;
+  const auto told = [&](const char* style) {
+    Scene scene = full_case();
+    illustration.style = builtin_style(style);
+    number_parts(scene, illustration, context);
+    return std::ranges::count(scene.diagnostics.entries(), "legend.alike", &Diagnostic::code);
+  };
+  EXPECT_EQ(told("flat"), 0);
+  EXPECT_EQ(told("duotone"), 1);
+  // All the others look otherwise, and have no row.
+  PartStyle pale;
+  pale.style = builtin_style("flat");
+  pale.style->fill.legend = false;
+  illustration.illustrate.part_styles = {pale};
+  EXPECT_EQ(told("duotone"), 0);
+}
+
 TEST(Arrange, ALegendOfSomeOfTheColoursStandsWhereRoomIsKeptForAll) {
   Illustration illustration;
   illustration.style = builtin_style("flat");

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace burin::test {
 namespace {
 
@@ -40,6 +42,32 @@ TEST(Intersection, TwoBoxes) {
     }
   }
   EXPECT_NEAR(sum, 6, 1e-9);  // a hexagon of unit edges in space
+}
+
+TEST(Intersection, BelongsToThePartWhoseLinesShowMore) {
+  const Looked s({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}, {.direction = {1, -1, 1}});
+  const std::vector<const ProxyMesh*> proxies{&s.proxies[0], &s.proxies[1]};
+  Diagnostics said;
+  const auto parts = [&](const MeetingParts& meeting) {
+    std::set<std::int32_t> out;
+    for (const Curve3& c : extract_features(proxies, s.camera, {}, said, s.context, meeting)) {
+      if (c.kind != LineClass::Intersection) continue;
+      out.insert(c.source.part);
+      const ProxyMesh& own = s.proxies[static_cast<std::size_t>(c.source.part)];
+      // Its triangles are those of that part.
+      const auto face = static_cast<std::uint32_t>(c.faces[0]);
+      const Vec3 corner = own.mesh.positions[own.mesh.triangles[face][0]];
+      const Vec3 middle = 0.5 * (c.points[0] + c.points[1]);
+      EXPECT_NEAR(glm::dot(middle - corner, own.mesh.normal(face)), 0, 1e-12);
+    }
+    return out;
+  };
+  EXPECT_EQ(parts({}), std::set<std::int32_t>{0});
+  EXPECT_EQ(parts({.ink = {1, 1}}), std::set<std::int32_t>{0});
+  EXPECT_EQ(parts({.ink = {1, 2}}), std::set<std::int32_t>{1});
+  EXPECT_EQ(parts({.ink = {2, 1}}), std::set<std::int32_t>{0});
+  // What is solid has the line, whatever shows more.
+  EXPECT_EQ(parts({.transparent = {false, true}, .ink = {1, 2}}), std::set<std::int32_t>{0});
 }
 
 TEST(Intersection, TwoComponentsOfOnePart) {

@@ -92,6 +92,35 @@ TEST(LightNormals, GiveANoisyRingItsIsophotesWithoutIslands) {
   }
 }
 
+// The crest of the ring is lit in full. A dent in it is an island where the light falls below 0.8.
+TEST(LightNormals, LoseIslandsThatAreSmallOrFaint) {
+  constexpr double kLevel = 0.8, kWidePen = 0.5;
+  const Looked s({noisy_ring(-100)}, kAbove);
+  const ProxyMesh& proxy = s.proxies[0];
+  const Isophotes of{{0, 0, 1}, {kLevel}};
+  const std::vector<Vec3> plain = light_normals(proxy, s.camera, kWidePen, s.context);
+  const auto islands = [&](double radius, double light) {
+    std::vector<Vec3> normals = plain;
+    for (std::uint32_t w = 0; w < normals.size(); ++w) {
+      if (glm::distance(proxy.wedge_position(w), Vec3(kAxis, 0, kTube)) > radius) continue;
+      normals[w] = Vec3(std::sqrt(1 - light * light), 0, light);
+    }
+    const auto lines = [&](std::span<const Vec3> by) {
+      return trace_isophotes(proxy, 0, of, s.camera, s.context, {.border = true, .normals = by})
+          .size();
+    };
+    EXPECT_EQ(lines(normals), 3U) << "two circles and the dent";
+    return lines(without_islands(proxy, normals, of, s.camera, kWidePen)) - 2;
+  };
+  EXPECT_EQ(islands(0.3, 0.3), 0U) << "small";
+  EXPECT_EQ(islands(1, 0.3), 1U) << "dark";
+  EXPECT_EQ(islands(1, kLevel - 0.05), 0U) << "faint";
+  EXPECT_EQ(islands(2.2, kLevel - 0.05), 1U) << "large";
+  // What is no noise is none as an island either.
+  EXPECT_TRUE(without_islands(proxy, {}, of, s.camera, kWidePen).empty());
+  EXPECT_EQ(without_islands(proxy, proxy.wedge_normal, of, s.camera, kWidePen), proxy.wedge_normal);
+}
+
 TEST(LightNormals, AverageOverWidthsOfThePenWhereTheseAreMoreThanTwoEdges) {
   ViewOptions small = kAbove;
   small.paper = {60, 40};

@@ -1,5 +1,6 @@
 // Lines of proxies that know the faces and edges of their input.
 
+#include <burin/feature/kind_borders.h>
 #include <burin/feature/source_faces.h>
 
 #include "feature_support.h"
@@ -7,6 +8,7 @@
 #include <burin_test/sourced.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace burin::test {
@@ -95,6 +97,25 @@ TEST(Source, LeftOutUnlessAskedFor) {
   const Seen s(split_cylinder(), {.direction = {1, 0.2, 0.3}}, {.smooth = false});
   EXPECT_TRUE(s.of(LineClass::Smooth).empty());
   EXPECT_TRUE(s.of(LineClass::Seam).empty());
+}
+
+// The border of two colours is a line of its own wherever the drawing finds none.
+TEST(Source, BordersOfKindsAreWhereNoOtherLineIs) {
+  const ProxyMesh proxy = split_cylinder();
+  const auto borders = [&](const FeatureOptions& lines) {
+    std::vector<double> at;  // x of each
+    for (const Curve3& c : kind_borders(
+             proxy, 0, [](std::int32_t face) { return face; }, lines)) {
+      EXPECT_NEAR(length(c), kHeight, 1e-12);
+      at.push_back(std::round(c.points[0].x));
+    }
+    std::ranges::sort(at);
+    return at;
+  };
+  EXPECT_EQ(borders({.smooth = false, .seams = false}), (std::vector<double>{-1, 1}));
+  EXPECT_EQ(borders({.smooth = true, .seams = false}), std::vector<double>{-1}) << "the seam";
+  EXPECT_EQ(borders({.smooth = false, .seams = true}), std::vector<double>{1});
+  EXPECT_EQ(borders({.smooth = true, .seams = true}), std::vector<double>{});
 }
 
 TEST(Source, CreasesHaveTheEdgeAndFaceOfTheInput) {

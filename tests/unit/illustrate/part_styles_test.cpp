@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -173,26 +174,50 @@ TEST(PartStyles, TheLinesAndStrokesOfAPartHaveItsColor) {
   EXPECT_EQ(colors_of(draw(scene, {{}, {}, red}), 2, true), usual);
 }
 
-// Where parts run into each other the line is of one of them, and has its colour.
-TEST(PartStyles, LinesBetweenPartsHaveTheColorOfTheirPart) {
+// A flat egg (part 1) runs into the wall (part 0).
+Scene wall_with_egg() {
   Scene scene = wall_and_balls();
   scene.parts.erase(scene.parts.begin() + 1, scene.parts.end());
   // Its outline does not lie on the line.
   TriMesh egg = test::ellipsoid({10, 12, 10}, 96, 48);
   for (Vec3& p : egg.positions) p.y -= 20;
   scene.parts.push_back({"egg", "egg", std::make_shared<MeshForm>(std::move(egg))});
-  PartStyle red;
-  red.style = builtin_style("outline");
-  red.style->line.color = "#d00000";
-  std::size_t lines = 0;
-  for (const Layer& layer : draw(scene, {red, {}}, "outline").layers) {
+  return scene;
+}
+
+// Part, colour and width of the lines in which parts run into each other.
+using MeetingLines = std::set<std::tuple<int, std::string, double>>;
+MeetingLines meeting_lines(const Drawing& drawing) {
+  MeetingLines out;
+  for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       if (path.kind != LineClass::Intersection) continue;
-      ++lines;
-      EXPECT_EQ(path.color, path.source.part == 0 ? "#d00000" : "");
+      out.insert({path.source.part, path.color, path.width.front()});
     }
   }
-  EXPECT_GT(lines, 0U);
+  return out;
+}
+
+// The border of a part that stands out is its own, whichever of both comes first.
+TEST(PartStyles, LinesInWhichPartsMeetAreThoseOfThePartThatShowsMore) {
+  const Scene scene = wall_with_egg();
+  PartStyle pale, bold;
+  pale.style = bold.style = builtin_style("outline");
+  pale.style->line.color = "#a0a0a0";
+  bold.style->line.intersection = 0.5;
+  const double usual = pale.style->line.intersection;
+  const auto drawn = [&](const PartStyle& wall, const PartStyle& egg) {
+    return meeting_lines(draw(scene, {wall, egg}, "outline"));
+  };
+  EXPECT_EQ(drawn({}, {}), (MeetingLines{{0, "", usual}}));
+  EXPECT_EQ(drawn(pale, {}), (MeetingLines{{1, "", usual}}));
+  EXPECT_EQ(drawn({}, pale), (MeetingLines{{0, "", usual}}));
+  EXPECT_EQ(drawn({}, bold), (MeetingLines{{1, "", 0.5}}));
+  EXPECT_EQ(drawn(pale, pale), (MeetingLines{{0, "#a0a0a0", usual}}));
+  PartStyle none;
+  none.style = builtin_style("outline");
+  none.style->feature.intersections = false;
+  EXPECT_EQ(drawn(none, pale), (MeetingLines{{1, "#a0a0a0", usual}}));
 }
 
 TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -195,21 +196,22 @@ TEST(Regions, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
+std::size_t isophotes(const Drawing& d) {
+  std::size_t count = 0;
+  for (const Layer& layer : d.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.kind != LineClass::Isophote) continue;
+      EXPECT_EQ(layer.name, "isophote");
+      EXPECT_TRUE(path.visible);
+      ++count;
+    }
+  }
+  return count;
+}
+
 TEST(Regions, IsophotesAreDrawnWhereTheStyleWantsThem) {
   Shown s;
   s.add(test::ellipsoid(Vec3(20), 60, 30));
-  const auto isophotes = [](const Drawing& d) {
-    std::size_t count = 0;
-    for (const Layer& layer : d.layers) {
-      for (const Path& path : layer.paths) {
-        if (path.kind != LineClass::Isophote) continue;
-        EXPECT_EQ(layer.name, "isophote");
-        EXPECT_TRUE(path.visible);
-        ++count;
-      }
-    }
-    return count;
-  };
   EXPECT_EQ(isophotes(s.draw()), 0u);
   s.style.tone.light = {0, 0, 1};
   s.style.feature.isophotes = 3;
@@ -226,6 +228,21 @@ TEST(Regions, IsophotesAreDrawnWhereTheStyleWantsThem) {
       EXPECT_LT(off, 1e-3);
     }
   }
+}
+
+// Each vertex of a ring is moved by up to a tenth of an edge: what is drawn is the ring.
+TEST(Regions, IsophotesOfAScanAreThoseOfItsShape) {
+  TriMesh ring = test::torus(12, 5, 240, 100);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.03, 0.03);
+  for (Vec3& p : ring.positions) p += Vec3(off(random), off(random), off(random));
+  Shown s;
+  s.add(std::move(ring));
+  s.direction = {0, 0, 1};
+  s.up = {0, 1, 0};
+  s.style.tone.light = {0, 0, 1};
+  s.style.feature.isophotes = 3;
+  EXPECT_EQ(isophotes(s.draw()), 6U) << "a circle inside and one outside of the crest for each";
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-"""Colours of parts as the 3-D view shows them. Only a GUI has them."""
+"""Colours of parts as the 3-D view shows them, with what is seen through them. Only a GUI has them."""
 
 
 def colors_of(top, sub, leaf):
-    """'#rrggbb' of the object at `sub` ('Inner.Link.') below `top`: that of the outermost link that has a colour of its
-    own, else of the shape `leaf` itself; empty where its faces have several. With it those of the faces in turn, where
-    they have several."""
+    """'#rrggbb', of glass '#rrggbbaa', of the object at `sub` ('Inner.Link.') below `top`: that of the outermost link that
+    has a colour of its own, else of the shape `leaf` itself; empty where its faces have several. With it those of the
+    faces in turn, where they have several."""
     for link, element in _links(top, sub):
         color = _override(getattr(link, "ViewObject", None), element)
         if color:
@@ -38,10 +38,10 @@ def _links(top, sub):
 def _override(view, element):
     """The colour that a link gives to what it links to; empty where it gives none."""
     if getattr(view, "OverrideMaterial", False):
-        return _hex(view.ShapeMaterial.DiffuseColor)
+        return _of_material(view.ShapeMaterial)
     chosen = getattr(view, "OverrideMaterialList", ())
     if 0 <= element < len(chosen) and chosen[element]:
-        return _hex(view.MaterialList[element].DiffuseColor)
+        return _of_material(view.MaterialList[element])
     return ""
 
 
@@ -49,11 +49,23 @@ def appearance(view):
     """The colours of a view provider, of FreeCAD 1.x (ShapeAppearance) or before: one, or one a face."""
     materials = getattr(view, "ShapeAppearance", None)
     if materials:
-        colors = [m.DiffuseColor for m in materials]
-    else:
-        colors = getattr(view, "DiffuseColor", None) or [getattr(view, "ShapeColor", None)]
-    return tuple(_hex(c) for c in colors if c)
+        return tuple(_of_material(m) for m in materials)
+    faces = getattr(view, "DiffuseColor", None)
+    if faces:  # their fourth number is transparency
+        return tuple(_hex(c, c[3] if len(c) > 3 else 0) for c in faces)
+    color = getattr(view, "ShapeColor", None)
+    return (_hex(color, getattr(view, "Transparency", 0) / 100),) if color else ()
 
 
-def _hex(color):
-    return "#%02x%02x%02x" % tuple(round(255 * c) for c in color[:3])
+def split(color):
+    """'#rrggbb' and the opacity, 0 to 1, of a colour as `colors_of` gives it."""
+    return color[:7], int(color[7:], 16) / 255 if len(color) > 7 else 1.0
+
+
+def _of_material(material):
+    return _hex(material.DiffuseColor, getattr(material, "Transparency", 0))
+
+
+def _hex(color, transparency):
+    opacity = round(255 * (1 - min(max(transparency, 0.0), 1.0)))
+    return "#%02x%02x%02x" % tuple(round(255 * c) for c in color[:3]) + ("%02x" % opacity if opacity < 255 else "")

@@ -8,7 +8,7 @@ from collections import namedtuple
 import Part
 
 from ..job import PartJob
-from .colors import colors_of
+from .colors import colors_of, split
 from .looks import FLAGS, words_of
 from .shapes import shapes
 from .shown import is_shown
@@ -186,8 +186,10 @@ def _definition(leaf):
 
 
 def _piece(top, sub, obj, leaf, path):
-    color, face_colors = colors_of(top, sub, leaf)
-    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color, definition=_definition(leaf))
+    looks_as, face_colors = colors_of(top, sub, leaf)
+    color, opacity = split(looks_as)
+    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color, opacity=opacity,
+                   definition=_definition(leaf))
     if leaf.isDerivedFrom("Mesh::Feature"):
         if not leaf.Mesh.CountFacets:
             raise Left("is an empty mesh; choose another one")

@@ -13,6 +13,17 @@
 
 namespace burin {
 
+/// What lines along which parts meet need to know of these; one value a part each, or none at all.
+struct MeetingParts {
+  /// Whether it is looked through.
+  std::vector<bool> transparent{};
+  /// How much its own lines show. Of two parts their intersection belongs to the one whose lines
+  /// show more, of equal ones to the first.
+  std::vector<double> ink{};
+
+  bool operator==(const MeetingParts&) const = default;
+};
+
 /// All feature lines of one proxy per part, hidden ones too, chained into long paths; a chain ends
 /// where its kind, its source, or which of its sides face the viewer changes, and at vertices where
 /// more than two lines of its kind meet. Ends that meet do so bit for bit.
@@ -23,9 +34,9 @@ namespace burin {
 /// What is seen edge-on counts as turned away. `source.face` is the smooth region (of creases: that
 /// of the front side), `source.edge` the index of the crease or boundary chain inside its part, the
 /// same for every view; -1 for contours inside regions and for intersections. Intersections belong
-/// to the first of both parts, have crease_sign -1 and are not `occluding`. Of a solid part and a
-/// `transparent` one (one flag a part; empty: none is) they belong to the solid one, and are
-/// `self_hidden` where that is turned away, whichever way the other is.
+/// to one of both parts (`MeetingParts::ink`), have crease_sign -1 and are not `occluding`. Of a
+/// solid part and a transparent one they belong to the solid one, and are `self_hidden` where that
+/// is turned away, whichever way the other is.
 ///
 /// Proxies that know their source: `source.edge` is the edge of the input, one per curve, and
 /// `source.face` the face of the input. A contour runs on over all faces of a smooth region;
@@ -46,6 +57,6 @@ namespace burin {
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      const Camera& camera, const FeatureOptions& options,
                                      Diagnostics& diagnostics, const RunContext& context,
-                                     const std::vector<bool>& transparent = {});
+                                     const MeetingParts& meeting = {});
 
 }  // namespace burin
