@@ -93,8 +93,8 @@ Call::Call(const py::object& source, const py::kwargs& keywords)
     : task(task_of(inputs_of(source), keywords, with)) {
   plan().illustrate.field = python_field(with.field);
   plan().illustrate.tone = python_tone(with.tone);
-  if (!with.field.is_none()) plan().about_strokes.emplace_back("argument field");
-  if (!with.tone.is_none()) plan().about_strokes.emplace_back("argument tone");
+  if (!with.field.is_none()) plan().asked_keys.push_back({"argument field", "hatch.field"});
+  if (!with.tone.is_none()) plan().asked_keys.push_back({"argument tone", "tone.law"});
 }
 
 }  // namespace burin::python

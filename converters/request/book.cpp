@@ -1,6 +1,8 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 
+#include "make_plan.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,6 +35,7 @@ Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunConte
   plan.legend = false;
   Book book = make_book(scene, plan, build, context);
   book.diagnostics.append(plan.notes);
+  book.diagnostics.append(detail::unused_keys(plan, {.legend = true}));
   if (!unused.empty()) {
     book.diagnostics.add(Severity::Warning, "option.unused",
                          static_cast<std::int64_t>(unused.size()),

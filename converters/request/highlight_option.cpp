@@ -90,10 +90,11 @@ void set_highlights(Draft& draft, const Asked& asked) {
                                fmt::join(color_names(), ", ")),
                    text);
     }
-    draft.looks.push_back(
-        {.look = {.select = {is_selector ? text : text.substr(0, equals)}, .hatched = true},
-         .style_text = highlighted(whole, called),
-         .style_source = "highlight"});
+    draft.looks.push_back({.look = {.select = {is_selector ? text : text.substr(0, equals)},
+                                    .hatched = true,
+                                    .asked = fmt::format("{} '{}'", asked.spelled, text)},
+                           .style_text = highlighted(whole, called),
+                           .style_source = "highlight"});
   }
 }
 

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
+#include <burin/drawing/color.h>
 
 #include "draw_options.h"
 #include "highlight_option.h"
@@ -72,6 +73,19 @@ void refuse_key(const Asked& asked, const std::string& text) {
       asked.spelled, text, name, text.substr(value + 1), asked.spelled, text.substr(0, key)));
 }
 
+/// "lid=red" is a highlight, or a style file that says what is red.
+void refuse_color(const Asked& asked, const std::string& parts, const std::string& style) {
+  if (!rgb_of(without_name(style))) return;
+  const Spelling spelling =
+      asked.spelled.starts_with("--") ? Spelling::Options : Spelling::Keywords;
+  throw UsageError(fmt::format(
+      "{0} takes NAME=STYLE, and '{1}' is a colour: {2} {3}={1} draws these parts in it, or write "
+      "a "
+      "style file, such as part.json that holds {{\"fill.color\": \"{1}\"}}, and then {0} "
+      "{3}=part.json",
+      asked.spelled, style, spelling == Spelling::Options ? "--highlight" : "highlight", parts));
+}
+
 void set_looks(Draft& draft, const Asked& asked) {
   for (const std::string& text : asked.texts) {
     refuse_key(asked, text);
@@ -79,8 +93,10 @@ void set_looks(Draft& draft, const Asked& asked) {
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
       refuse_value(asked.spelled, "NAME=STYLE", text);
     }
-    draft.looks.push_back(
-        {.look = {.select = {text.substr(0, equals)}}, .style = text.substr(equals + 1)});
+    refuse_color(asked, text.substr(0, equals), text.substr(equals + 1));
+    draft.looks.push_back({.look = {.select = {text.substr(0, equals)},
+                                    .asked = fmt::format("{} '{}'", asked.spelled, text)},
+                           .style = text.substr(equals + 1)});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <burin/converters/read_result.h>
 #include <burin/converters/request.h>
+#include <burin/illustrate/unused_keys.h>
 
 #include <vector>
 
@@ -15,6 +16,9 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
 /// With its style, whose pictures are read, in the light that is asked for. Throws UsageError that
 /// names the look.
 Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& plan);
+
+/// Keys that are asked for and change nothing of the drawing whose parts are arranged.
+Diagnostics unused_keys(const DrawPlan& plan, const KeySurroundings& around);
 
 /// What options ask that has no effect on what the plan draws, whatever its style and models
 /// are.

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
-#include <burin/field/catalogue.h>
+#include <burin/illustrate/ground.h>
 #include <burin/plugin/plugins.h>
 #include <burin/tone/catalogue.h>
 
@@ -20,40 +20,27 @@
 namespace burin {
 namespace {
 
-/// Whether the law or the field of any strokes does.
-bool looks_at_light(const Style& style) {
-  for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
-    if (tone::find(tone_of(style, number).law).uses_light ||
-        field::find(hatch_of(style, number).field.name).uses_light) {
-      return true;
-    }
-  }
-  return false;
+/// Whether both styles have the same value.
+bool has_same(std::string_view key, const Style& a, const Style& b) {
+  const auto value = [&](const Style& style) {
+    const std::vector<StyleKey> keys = style_keys(style);
+    const auto found = std::ranges::find(keys, key, &StyleKey::name);
+    return found == keys.end() ? std::nullopt : std::optional(found->value);
+  };
+  const auto of_a = value(a);
+  return of_a && of_a == value(b);
 }
 
-/// Whether the light is seen without any strokes: in flat tones, shadows, or lines of equal light.
-bool shows_light(const Style& style) {
-  return style.fill.steps > 1 || style.feature.isophotes > 0 || style.shadow.cast ||
-         style.shadow.ground;
-}
-
-/// What is asked for of strokes alone, as messages call it.
-std::vector<std::string> about_strokes(const DrawRequest& r, const Style& named,
-                                       const DrawPlan& plan) {
-  std::vector<std::string> choices;
-  const bool light = shows_light(plan.style);
-  if (!light && r.has("light") && plan.style.tone.light != named.tone.light) {
-    choices.push_back(called("light", plan.spelling));
+/// What is asked for beside what the style that was named has.
+std::vector<AskedKey> asked_keys(const DrawRequest& r, const Style& named, const DrawPlan& plan) {
+  std::vector<AskedKey> keys;
+  if (r.has("light") && plan.style.tone.light != named.tone.light) {
+    keys.push_back({called("light", plan.spelling), "tone.light"});
   }
   for (const std::string& key : plan.style_keys) {
-    const bool of_areas =
-        key == "tone.steps" || key == "tone.darkest" || (light && key == "tone.light");
-    if (!of_areas && key != "hatch.enabled" &&
-        (key.starts_with("hatch.") || key.starts_with("tone.") || key.starts_with("strokes."))) {
-      choices.push_back("style key " + key);
-    }
+    if (!has_same(key, plan.style, named)) keys.push_back({"style key " + key, key});
   }
-  return choices;
+  return keys;
 }
 
 struct LookStyle {
@@ -100,10 +87,14 @@ void light_by(const DrawRequest& request, Style& style) {
   });
 }
 
-bool any_strokes(const DrawPlan& plan) {
-  return has_strokes(plan.style) ||
-         std::any_of(plan.illustrate.part_styles.begin(), plan.illustrate.part_styles.end(),
-                     [](const PartStyle& look) { return look.style && has_strokes(*look.style); });
+/// Whether the shadow on the ground is seen in any view.
+bool sees_ground(const SheetOfViews& sheet, const Style& style) {
+  return std::ranges::any_of(sheet.views, [&](const PlacedView& view) {
+    const Vec3 to_viewer = view.camera.direction();
+    const bool left_out =
+        sheet.method && style.shadow.ground && !style_in_grid(style, to_viewer).shadow.ground;
+    return !left_out && casts_ground_shadow(tone::to_light(view.camera, style.tone), to_viewer);
+  });
 }
 
 }  // namespace
@@ -118,14 +109,9 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
         Severity::Warning, "plugin.refused", 1,
         fmt::format("the plug-in {} is left out: {} (burin plugins)", p.file, p.refused));
   }
+  drawing.diagnostics.append(detail::unused_keys(
+      plan, {.legend = plan.legend, .ground_seen = sees_ground(sheet, plan.style)}));
   drawing.diagnostics = with_spelling(drawing.diagnostics, plan.spelling);
-  if (any_strokes(plan)) return drawing;
-  for (const std::string& choice : plan.about_strokes) {
-    drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
-                            fmt::format("{} has no effect: style '{}' draws no strokes "
-                                        "(hatch.enabled=true does)",
-                                        choice, plan.style.name));
-  }
   return drawing;
 }
 
@@ -135,16 +121,22 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
 
 namespace detail {
 
+Diagnostics unused_keys(const DrawPlan& plan, const KeySurroundings& around) {
+  Diagnostics notes;
+  for (const auto& [called, key] : plan.asked_keys) {
+    const std::string why = why_unused(key, plan.style, plan.illustrate.part_styles, around);
+    if (why.empty()) continue;
+    notes.add(Severity::Warning, "option.unused", 1, called + " has no effect" + why);
+  }
+  return notes;
+}
+
 Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   Diagnostics notes;
   const auto has = [&](const char* name) { return !given_texts(options, name).empty(); };
   const auto note = [&](const std::string& text) {
     notes.add(Severity::Warning, "option.unused", 1, text);
   };
-  if (has("light") && !looks_at_light(plan.style) && !shows_light(plan.style)) {
-    note(fmt::format("{} has no effect: tone.law {} does not look at it",
-                     called("light", plan.spelling), plan.style.tone.law));
-  }
   const bool lists = plan.callouts || plan.parts_list || plan.legend;
   for (const std::string& key : plan.style_keys) {
     if (key.starts_with("callout.") && !lists) {
@@ -222,7 +214,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
     if (part.style) light_by(request, *part.style);
   }
   plan.read = make_read_options(request.options, spelling);
-  plan.about_strokes = about_strokes(request, draft.named, plan);
+  plan.asked_keys = asked_keys(request, draft.named, plan);
   plan.notes = unused_choices(request.options, plan);
   return std::move(draft.plan);
 }

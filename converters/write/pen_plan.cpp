@@ -264,8 +264,9 @@ class Planner {
     }
     if (areas_ > 0) {
       report(Severity::Warning, "pen.fills", areas_,
-             fmt::format("a pen draws lines alone: the colours of {} areas are left out; strokes "
-                         "(hatch.enabled) or lines (fill.hatch) shade instead",
+             fmt::format("a pen draws lines alone: the colours of {} areas are left out; "
+                         "fill.hatch=lines hatches areas (with fill.hatch_color=fill in their "
+                         "colours), hatch.enabled=true draws strokes in the shade",
                          areas_));
     }
     if (cut_ > 0) {

@@ -167,11 +167,26 @@ Tone made(const LawRequest& r) {
 
 GrowingCatalogue<Law>& all() {
   static GrowingCatalogue<Law> laws({
-      {"lambert", "the angle to the light, as on matt surfaces", true, made<lambert>},
-      {"phong", "the same, and the light mirrored, as on polished surfaces", true, made<phong>},
-      {"facing", "the angle to the viewer", false, made<facing>},
-      {"silhouette", "only where the surface turns away is it dark", false, made<silhouette>},
-      {"constant", "nothing: tone.ambient everywhere", false, made<constant>},
+      {"lambert",
+       "the angle to the light, as on matt surfaces",
+       true,
+       made<lambert>,
+       {},
+       {"ambient", "diffuse", "reflected", "shadow"}},
+      {"phong",
+       "the same, and the light mirrored, as on polished surfaces",
+       true,
+       made<phong>,
+       {},
+       {"ambient", "diffuse", "reflected", "specular", "shininess", "shadow"}},
+      {"facing", "the angle to the viewer", false, made<facing>, {}, {"ambient", "diffuse"}},
+      {"silhouette",
+       "only where the surface turns away is it dark",
+       false,
+       made<silhouette>,
+       {},
+       {"decay"}},
+      {"constant", "nothing: tone.ambient everywhere", false, made<constant>, {}, {"ambient"}},
   });
   return laws;
 }

@@ -57,6 +57,24 @@ bool leaves_parts_out(const Illustration& illustration) {
   });
 }
 
+/// Names the key that leaves colours out, where one does.
+void report_empty_legend(const Illustration& illustration, Scene& scene) {
+  bool left_out = false;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const auto& styles = illustration.illustrate.part_styles;
+    const bool own = i < styles.size() && styles[i].style;
+    const FillOptions& fill = (own ? *styles[i].style : illustration.style).fill;
+    const bool drawn = i >= styles.size() || styles[i].drawn;
+    const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
+    left_out = left_out || (drawn && shown && !fill.legend);
+  }
+  scene.diagnostics.add(Severity::Warning, "legend.empty", 1,
+                        left_out ? "fill.legend=false leaves all colours out of the legend, so "
+                                   "that none is drawn: set it to true, or leave out `legend`"
+                                 : "there is no colour for a legend: choose fill.color, or a style "
+                                   "that has colours, such as flat");
+}
+
 }  // namespace
 
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context) {
@@ -95,9 +113,7 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
     annotations.legend =
         legend_rows(scene, illustration.style, illustration.illustrate, annotations.items);
     if (annotations.legend.empty()) {
-      scene.diagnostics.add(Severity::Warning, "legend.empty", 1,
-                            "there is no colour for a legend: choose fill.color, or a style that "
-                            "has colours, such as flat");
+      report_empty_legend(illustration, scene);
     } else if (are_alike(annotations.legend) && !leaves_parts_out(illustration)) {
       scene.diagnostics.add(Severity::Warning, "legend.alike",
                             static_cast<std::int64_t>(annotations.legend.size()),

@@ -2,11 +2,59 @@
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace burin {
+namespace {
+
+/// Which look the style of each part is from: the last that names it.
+class StyledBy {
+ public:
+  StyledBy(std::size_t parts, std::size_t looks) : look_(parts, looks), named_(looks) {}
+
+  void set(std::size_t part, std::size_t look) {
+    look_[part] = look;
+    named_[look] = part;
+  }
+
+  /// Tells of each look that was asked for whose parts are all left out, or have the style of a
+  /// later one.
+  void report_lost(const Scene& scene, const std::vector<PartStyle>& styles,
+                   const std::vector<Look>& looks, Diagnostics& diagnostics) const {
+    std::vector<bool> seen(looks.size() + 1, false);
+    for (std::size_t part = 0; part < look_.size(); ++part) {
+      if (styles[part].drawn) seen[look_[part]] = true;
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (seen[i] || !named_[i] || looks[i].asked.empty()) continue;
+      const std::size_t part = *named_[i];
+      const std::string& name = scene.parts[part].name;
+      const bool hidden = !styles[part].drawn;
+      diagnostics.add(
+          Severity::Warning, "look.lost", 1,
+          hidden ? fmt::format("{} has no effect: '{}' is left out of the drawing", looks[i].asked,
+                               name)
+                 : fmt::format(
+                       "{} has no effect: {} is laid over all of its parts, such as '{}' "
+                       "(of several looks the last one holds, and looks go over "
+                       "highlights)",
+                       looks[i].asked,
+                       looks[look_[part]].asked.empty() ? "another look" : looks[look_[part]].asked,
+                       name));
+    }
+  }
+
+ private:
+  std::vector<std::size_t> look_;
+  std::vector<std::optional<std::size_t>> named_;  // a part of the look
+};
+
+}  // namespace
 
 void select_parts(Scene& scene, Illustration& illustration) {
   std::vector<PartStyle>& styles = illustration.illustrate.part_styles;
@@ -24,7 +72,9 @@ void select_parts(Scene& scene, Illustration& illustration) {
       if (!meant[i]) styles[i].drawn = false;
     }
   }
-  for (const Look& look : illustration.looks) {
+  StyledBy styled(scene.parts.size(), illustration.looks.size());
+  for (std::size_t i = 0; i < illustration.looks.size(); ++i) {
+    const Look& look = illustration.looks[i];
     for (const std::string& selector : look.select) {
       try {
         for (const std::size_t part : select(scene, selector)) {
@@ -33,7 +83,9 @@ void select_parts(Scene& scene, Illustration& illustration) {
           one.hatched = look.hatched.value_or(one.hatched);
           one.transparent = look.transparent.value_or(one.transparent);
           one.listed = look.listed.value_or(one.listed);
-          if (look.style) one.style = look.style;
+          if (!look.style) continue;
+          one.style = look.style;
+          styled.set(part, i);
         }
       } catch (const UsageError& e) {
         throw UsageError(look.place + e.what());
@@ -45,6 +97,7 @@ void select_parts(Scene& scene, Illustration& illustration) {
   if (chosen && std::ranges::none_of(styles, is_drawn)) {
     throw UsageError("all parts are left out; nothing is left to draw");
   }
+  styled.report_lost(scene, styles, illustration.looks, scene.diagnostics);
 }
 
 }  // namespace burin

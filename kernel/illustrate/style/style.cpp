@@ -6,6 +6,7 @@
 #include "style_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -100,13 +101,22 @@ std::optional<std::string> first_fault(const Style& style) {
   return options::first_fault(std::vector<OptionRow<Style>>(rows.begin(), rows.end()), style);
 }
 
+/// What a colour may be, and the nearest to what it is: names of colours, and `words` that the key
+/// takes beside them.
+[[noreturn]] void refuse_color(const std::string& key, const std::string& color,
+                               std::string_view others, std::vector<std::string> words = {}) {
+  std::vector<KnownWord> known;
+  for (const std::string& word : words) known.push_back({word});
+  for (const std::string& name : color_names()) known.push_back({name});
+  throw UsageError(fmt::format("style key '{}' takes a colour #rrggbb, {}{}, not '{}'{}", key,
+                               fmt::join(color_names(), ", "), others, color, hint(color, known)));
+}
+
 /// `nothing`: how the error names it that there may be none; empty: there must be a colour.
 void check_color(const std::string& key, const std::string& color,
                  std::string_view nothing = " or nothing") {
   if (rgb_of(color) || (!nothing.empty() && color.empty())) return;
-  throw UsageError(
-      fmt::format("style key '{}' takes a colour #rrggbb, a name such as {}{}, not '{}'", key,
-                  color_names().front(), nothing, color));
+  refuse_color(key, color, nothing);
 }
 
 }  // namespace
@@ -122,9 +132,7 @@ void check_style(const Style& style) {
   check_color("line.color", style.line.color);
   check_color("shadow.color", style.shadow.color);
   if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
-    throw UsageError(fmt::format(
-        "style key 'fill.color' takes a colour #rrggbb, a name such as {}, part or none, not '{}'",
-        color_names().front(), style.fill.color));
+    refuse_color("fill.color", style.fill.color, ", part or none", {"part", "none"});
   }
   if (const std::string wrong = fault_of_ink(style.fill.ink);
       !style.fill.ink.empty() && !wrong.empty()) {

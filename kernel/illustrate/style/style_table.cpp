@@ -193,9 +193,12 @@ std::string kind_prefix(std::size_t number) { return fmt::format("strokes.{}.", 
 // Of a stroke kind after the first as one of the style that has it.
 StyleRow lifted(const KindRow& row, std::size_t number) {
   const std::size_t at = number - 2;
+  const bool of_tone = row.name.starts_with("tone.");
   StyleRow out{{{kind_prefix(number) + row.name, row.meaning, row.takes, row.phrase},
                 [at, get = row.get](const Style& s) { return get(s.strokes.at(at)); },
-                [at, set = row.set](Style& s, const OptionValue& v) { set(s.strokes.at(at), v); }}};
+                [at, set = row.set](Style& s, const OptionValue& v) { set(s.strokes.at(at), v); }},
+               false,
+               needs_of(of_tone ? row.name : kind_group(1) + row.name)};
   if (!row.at_most.empty()) out.at_most = kind_prefix(number) + row.at_most;
   return out;
 }
@@ -218,7 +221,7 @@ class Rows {
     add(more, true);
   }
   void add(const std::vector<OptionRow<Style>>& more, bool of_whole) {
-    for (const OptionRow<Style>& row : more) rows_.push_back({row, of_whole});
+    for (const OptionRow<Style>& row : more) rows_.push_back({row, of_whole, needs_of(row.name)});
   }
   std::vector<StyleRow> take() { return std::move(rows_); }
 

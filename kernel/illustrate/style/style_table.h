@@ -5,6 +5,8 @@
 #include <burin/illustrate/style.h>
 #include <burin/options/row.h>
 
+#include "key_needs.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -16,6 +18,8 @@ namespace burin::detail {
 struct StyleRow : OptionRow<Style> {
   /// One value for the whole drawing, whatever style a part has.
   bool of_whole = false;
+  /// What must hold for it to have an effect.
+  std::vector<KeyNeed> needs = {};
 };
 
 /// The key that parts have instead of one that holds for the whole drawing; empty: none.

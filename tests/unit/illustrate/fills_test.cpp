@@ -169,8 +169,9 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
     FAIL();
   } catch (const std::exception& e) {
     EXPECT_STREQ(e.what(),
-                 "style key 'fill.color' takes a colour #rrggbb, a name such as orange, part or "
-                 "none, not 'orangge'");
+                 "style key 'fill.color' takes a colour #rrggbb, orange, red, blue, green, yellow, "
+                 "purple, cyan, pink, brown, gray, grey, black, white, part or none, not "
+                 "'orangge'; the nearest is 'orange'");
   }
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "1"));
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));

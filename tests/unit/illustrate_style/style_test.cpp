@@ -335,8 +335,8 @@ TEST(Style, ColorsMayBeThoseOfTheSheet) {
     set_style_key(s, key, "red");
     EXPECT_NO_THROW(check_style(s)) << "colours have names";
     set_style_key(s, key, "reddish");
-    EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
-                         "takes a colour #rrggbb, a name such as orange or nothing, not 'reddish'"))
+    EXPECT_TRUE(
+        contains(usage_message([&] { check_style(s); }), "black, white or nothing, not 'reddish'"))
         << key;
   }
 }

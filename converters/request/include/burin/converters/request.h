@@ -50,6 +50,11 @@ struct DrawRequest {
   bool has(const std::string& name) const { return !given_texts(options, name).empty(); }
 };
 
+/// A key of the style as messages call what asked for it: "style key fill.tint", "option --light".
+struct AskedKey {
+  std::string called, key;
+};
+
 /// Everything but the inputs and outputs themselves.
 struct DrawPlan : Illustration {
   ReadOptions read;
@@ -63,9 +68,8 @@ struct DrawPlan : Illustration {
   Spelling spelling = Spelling::Options;
   /// The keys of the style that were set one by one, in the order in which they were.
   std::vector<std::string> style_keys = {};
-  /// Options that were given and have no effect on a drawing without strokes, as messages call
-  /// them.
-  std::vector<std::string> about_strokes = {};
+  /// What was asked for by keys of the style, or stands for them, beside the style that was named.
+  std::vector<AskedKey> asked_keys = {};
   /// Options that were given and have no effect on any drawing.
   Diagnostics notes = {};
 };

@@ -29,6 +29,9 @@ struct Law {
   std::function<Tone(const LawRequest&)> make;
   /// What it lets a user choose beside `ToneOptions`; the values stand in `ToneOptions::declared`.
   std::vector<DeclaredOption> options{};
+  /// Those of `tone_option_rows` between "light" and "highlight" that it looks at; all laws have
+  /// the others.
+  std::vector<std::string_view> looks_at{};
 };
 
 /// From the model to the light in model space, as long as it was given.

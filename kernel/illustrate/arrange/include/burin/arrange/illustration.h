@@ -28,6 +28,8 @@ struct Look {
   std::optional<Style> style = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
+  /// As it was asked for, "`highlight` rod*=red": that nothing is left of it is told. Empty: not.
+  std::string asked = {};
 };
 
 /// How the parts of an assembly come apart (burin/explode/explode.h).

@@ -1,0 +1,130 @@
+// Keys of colours, tones and shadows change the drawing, or it is told that they do not.
+#include <burin/illustrate/style.h>
+
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Values that differ from those of any built-in style.
+const std::map<std::string, std::string>& values() {
+  static const std::map<std::string, std::string> all = {
+      {"fill.color", "#a0b0c0"},   {"fill.opacity", "0.5"},      {"fill.ink", "Own"},
+      {"fill.tint", "0.77"},       {"fill.legend", "false"},     {"fill.hatch", "cross"},
+      {"fill.hatch_angle", "30"},  {"fill.hatch_distance", "2"}, {"fill.hatch_width", "0.3"},
+      {"fill.hatch_tones", "2"},   {"fill.hatch_color", "fill"}, {"shadow.color", "#778899"},
+      {"tone.law", "silhouette"},  {"tone.light", "1,0.2,0.4"},  {"tone.ambient", "0.02"},
+      {"tone.diffuse", "0.3"},     {"tone.reflected", "0.6"},    {"tone.specular", "1.5"},
+      {"tone.shininess", "3"},     {"tone.decay", "1.2"},        {"tone.shadow", "0.7"},
+      {"tone.shadow_width", "30"}, {"tone.highlight", "1.7"},    {"tone.rim", "0.8"},
+      {"tone.ink", "light"},       {"tone.median_min", "0.38"},  {"tone.median_max", "0.3"},
+      {"tone.contrast", "0.4"},    {"tone.gradient", "0.4"},     {"tone.steps", "4"},
+      {"tone.darkest", "0.33"}};
+  return all;
+}
+
+class KeyEffects : public test::CliTest {
+ protected:
+  void SetUp() override {
+    test::CliTest::SetUp();
+    folder_.write("two.scad",
+                  "module ball() color(\"#c0d0e0\") translate([20, 15, 26]) sphere(8, $fn = 24);\n"
+                  "module base() color(\"#e0c080\") cube([40, 30, 18]);\n"
+                  "ball(); base();\n");
+  }
+
+  std::string drawn(const std::string& options) {
+    EXPECT_EQ(run("draw @/two.scad --paper 60x60 --margin 3 -o @/a.json " + options), 0) << err_;
+    Json drawing = Json::parse(test::slurp(folder_ / "a.json"));
+    drawing.erase("diagnostics");
+    return drawing.dump();
+  }
+  std::string told(const std::string& options) {
+    drawn(options);
+    return err_;
+  }
+};
+
+TEST_F(KeyEffects, EachKeyChangesTheDrawingOrIsTold) {
+  for (const std::string style :
+       {"outline", "flat", "shaded", "cel", "manual", "duotone", "engraving"}) {
+    const std::string plain = drawn("--style " + style);
+    for (const StyleKey& key : style_keys(builtin_style(style))) {
+      const std::string group = key.name.substr(0, key.name.find('.'));
+      if (group != "fill" && group != "tone" && group != "shadow") continue;
+      const auto own = values().find(key.name);
+      const bool turns = key.name == "shadow.cast" || key.name == "shadow.ground";
+      ASSERT_TRUE(turns || own != values().end()) << "a value for " << key.name;
+      const std::string value = turns ? (key.value == "true" ? "false" : "true") : own->second;
+      if (value == key.value) continue;
+      const bool changes = drawn("--style " + style + " --set " + key.name + "=" + value) != plain;
+      const bool says = err_.find("style key " + key.name + " has no effect") != err_.npos;
+      EXPECT_NE(changes, says) << style << " " << key.name << "=" << value << ": " << err_;
+    }
+  }
+}
+
+TEST_F(KeyEffects, TheReasonSaysWhatToDo) {
+  const auto of = [](const std::string& key, const std::string& why) {
+    return "burin: warning: style key " + key + " has no effect" + why + "\n";
+  };
+  EXPECT_EQ(told("--style outline --set fill.opacity=0.5"),
+            of("fill.opacity", ": style 'outline' gives parts no colour (fill.color=part does)"));
+  EXPECT_EQ(told("--style flat --set fill.legend=false"), of("fill.legend", " without --legend"));
+  EXPECT_EQ(told("--style flat --set fill.hatch_color=red"),
+            of("fill.hatch_color", ": fill.hatch is none (fill.hatch=lines hatches areas)"));
+  EXPECT_EQ(told("--style outline --set fill.hatch=lines --set fill.hatch_color=fill"),
+            of("fill.hatch_color",
+               ": lines have the colour of their part, which fill.color=none takes from it "
+               "(fill.color=part and fill.opacity=0 colour the lines alone)"));
+  EXPECT_NE(
+      told("--style flat --set shadow.ground=true --view bottom").find("shadow.ground has no"),
+      std::string::npos);
+  EXPECT_NE(told("--style flat --set fill.color=red --highlight ball").find("fill.color has no"),
+            std::string::npos);
+  // What has an effect, or is as it was, is no matter.
+  EXPECT_EQ(told("--style flat --set shadow.ground=true"), "");
+  EXPECT_EQ(told("--style outline --set fill.color=none"), "");
+  EXPECT_EQ(told("--style outline --set fill.color=part --set fill.opacity=0.5"), "");
+  EXPECT_EQ(told("--style outline --look ball=flat --set fill.hatch=lines"), "");
+}
+
+TEST_F(KeyEffects, HighlightsOfWhichNothingIsLeftAreTold) {
+  EXPECT_EQ(told("--highlight b* --highlight ball=red"), "");
+  EXPECT_EQ(told("--highlight ball --highlight b*=red"),
+            "burin: warning: --highlight 'ball' has no effect: --highlight 'b*=red' is laid over "
+            "all of its parts, such as 'ball' (of several looks the last one holds, and looks go "
+            "over highlights)\n");
+  EXPECT_EQ(
+      told("--highlight ball --hide ball"),
+      "burin: warning: --highlight 'ball' has no effect: 'ball' is left out of the drawing\n");
+}
+
+TEST_F(KeyEffects, ColoursThatAreNoneAreToldWithTheNearest) {
+  EXPECT_EQ(run("draw @/two.scad -o @/a.json --set fill.color=organe"), 2);
+  expect_error("'fill.color' takes a colour #rrggbb, ");
+  expect_error("part or none, not 'organe'; the nearest is 'orange'");
+  EXPECT_EQ(run("draw @/two.scad -o @/a.json --style flat --set shadow.color=gren"), 2);
+  expect_error("or nothing, not 'gren'; the nearest is 'green'");
+  EXPECT_EQ(run("draw @/two.scad -o @/a.json --look ball=red"), 2);
+  expect_error("--look takes NAME=STYLE, and 'red' is a colour: --highlight ball=red");
+}
+
+TEST_F(KeyEffects, AnEmptyLegendSaysWhichKeyLeavesColoursOut) {
+  EXPECT_NE(told("--style flat --legend --set fill.legend=false")
+                .find("fill.legend=false leaves all colours out of the legend"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(told("--style outline --legend").find("there is no colour for a legend"),
+            std::string::npos)
+      << err_;
+}
+
+}  // namespace
+}  // namespace burin
