@@ -211,15 +211,14 @@ double clearance(const Origin& o, const Hit& hit, bool& folded) {
 }
 
 // `normal` is the curve's; `back`: an open sheet is seen from behind.
-Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 normal, bool back,
-             Vec3 view) {
+Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 normal,
+             bool sheet, bool back, Vec3 view) {
   if (!proxy || face < 0 || proxy->edge_kind.empty()) return Fold::None;
   const Vec3 polygon = proxy->mesh.normal(static_cast<std::uint32_t>(face));
   switch (curve.kind) {
     case LineClass::Contour:
-      // Under a fold of an open sheet, where normals are turned inward, all that lies before the
-      // contour counts.
-      return glm::dot(polygon, normal) > 0 ? Fold::Contour : Fold::None;
+      // An open sheet may be seen from behind: then the normals to the open side are turned round.
+      return sheet || glm::dot(polygon, normal) > 0 ? Fold::Contour : Fold::None;
     case LineClass::Boundary:
       return std::abs(glm::dot(normal, view)) < kGrazing ? Fold::Boundary : Fold::None;
     case LineClass::Stroke:
@@ -249,9 +248,6 @@ bool covered_beside(const Origin& fold, double clear) {
         });
   };
   const Vec3 side = off * normalize_or(glm::cross(o.across, o.view), Vec3(0));
-  // Which side of an open sheet is the open one depends on how it is oriented.
-  const bool open =
-      own.topology.face_component.empty() || !own.closed(static_cast<std::uint32_t>(o.face));
   // Beside the outer outline is nothing a little farther out.
   constexpr double kFarther = 3;
   const auto bare = [&](Vec3 beside) {
@@ -259,8 +255,7 @@ bool covered_beside(const Origin& fold, double clear) {
     return !probe.occluder().occluded(beside, o.view, 0, far) &&
            !probe.occluder().occluded(beside, -o.view, 0, far);
   };
-  return covered(o.point + side) && (!open || covered(o.point - side)) &&
-         !bare(o.point + kFarther * side);
+  return covered(o.point + side) && !bare(o.point + kFarther * side);
 }
 
 }  // namespace
@@ -319,12 +314,12 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
   const std::int32_t part = curve.source.part;
   const ProxyMesh* own = proxy(part);
   Vec3 n(0);
+  const bool sheet = own && face >= 0 && !own->topology.face_component.empty() &&
+                     !own->closed(static_cast<std::uint32_t>(face));
   bool back = false;
   if (!curve.normals.empty()) {
     n = normalize_or(glm::mix(curve.normals[segment], curve.normals[after], t), Vec3(0));
-    const bool sheet = own && face >= 0 && !own->topology.face_component.empty() &&
-                       !own->closed(static_cast<std::uint32_t>(face));
-    back = sheet && glm::dot(n, view) < 0;
+    back = sheet && curve.kind != LineClass::Contour && glm::dot(n, view) < 0;
     if (back) n = -n;  // an open sheet is seen from both sides
   }
   const Origin origin{this,
@@ -337,7 +332,7 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
                       curve.kind == LineClass::Intersection && !asked.smooth,
                       view,
                       glm::cross(view, n),
-                      fold_at(curve, own, face, n, back, view),
+                      fold_at(curve, own, face, n, sheet, back, view),
                       lies_on_surface(curve) ? camera_.scale_at(p) : 0};
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;

@@ -322,6 +322,40 @@ TEST(VisibleSpans, HidesTheRimOfATubeRightBehindItsFold) {
   }
 }
 
+// A knotted bar with eight flat sides. Where a quadrangle that cannot be seen is taken out of it,
+// it is an open sheet, and has the same outline.
+TEST(VisibleSpans, OutlinesAnOpenSheetAsTheClosedOne) {
+  constexpr std::uint32_t kAlong = 40, kSides = 8;
+  const TriMesh closed =
+      test::grid(kAlong, kSides, true, true, [](std::uint32_t i, std::uint32_t j) {
+        const double t = 2 * test::kPi * i / kAlong, v = 2 * test::kPi * j / kSides;
+        const Vec3 tangent(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t),
+                           -3 * std::cos(3 * t));
+        const Vec3 side = glm::normalize(glm::cross(tangent, Vec3(0, 0, 1)));
+        const Vec3 up = glm::normalize(glm::cross(side, tangent));
+        return Vec3(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t),
+                    -std::sin(3 * t)) +
+               0.8 * (std::cos(v) * up - std::sin(v) * side);
+      });
+  for (const Vec3 direction : {Vec3(1, -1, 1), Vec3(0, -1, 0.1), Vec3(0, 0, 1), Vec3(1, -1, -1),
+                               Vec3(-2, 1, 0.5), Vec3(0.3, -1, 0.45)}) {
+    const View whole({closed}, {.direction = direction}, {.classify_outer = true});
+    std::size_t unseen = 0;
+    for (; unseen < closed.triangles.size(); unseen += 2) {
+      const Triangle& t = closed.triangles[unseen];
+      const Vec3 middle = 0.5 * (closed.positions[t[0]] + closed.positions[t[2]]);
+      const Vec3 normal = closed.normal(static_cast<std::uint32_t>(unseen));
+      if (glm::dot(normal, whole.camera.to_viewer(middle)) < -0.5) break;
+    }
+    TriMesh open = closed;
+    const auto first = open.triangles.begin() + static_cast<std::ptrdiff_t>(unseen);
+    open.triangles.erase(first, first + 2);
+    const double seen = outer_length(whole);
+    EXPECT_NEAR(outer_length(View({open}, {.direction = direction}, {.classify_outer = true})),
+                seen, 0.02 * seen);
+  }
+}
+
 // A ring of coarse beads: where one lies before the contour of the next, few triangles are between
 // both, but it does not end beside that contour as its own fold does.
 TEST(VisibleSpans, HidesAContourBehindABulgeOfFewFacets) {
