@@ -33,7 +33,7 @@ inline Path feature_line(LineClass kind, std::vector<Vec2> points, bool closed, 
   p.closed = closed;
   for (const Vec2& q : points) p.points3.push_back({q / 2.0, 1});
   p.points = std::move(points);
-  p.width = {width};
+  p.width.assign(1, width);
   return p;
 }
 

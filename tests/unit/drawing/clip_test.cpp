@@ -18,7 +18,7 @@ Path line(std::vector<Vec2> points, bool closed = false) {
   p.closed = closed;
   for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
   p.points = std::move(points);
-  p.width = {0.3};
+  p.width.assign(1, 0.3);
   p.source = {2, 5, 7};
   return p;
 }
