@@ -123,8 +123,8 @@ def _package_of(file):
 
 
 def _set_path(file, lib):
-    """Has a program or library look for libraries in `lib`."""
+    """Has a program or library look for libraries in `lib`, before all that LD_LIBRARY_PATH names: an old-style path is."""
     up = os.path.relpath(lib, file.parent)
     file.chmod(0o755)
     run("strip", "--strip-unneeded", file)
-    run("patchelf", "--set-rpath", "$ORIGIN" if up == "." else f"$ORIGIN/{up}", file)
+    run("patchelf", "--force-rpath", "--set-rpath", "$ORIGIN" if up == "." else f"$ORIGIN/{up}", file)

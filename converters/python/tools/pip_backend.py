@@ -45,6 +45,12 @@ def run(*words: str) -> None:
         raise SystemExit(f"burin: {' '.join(words[:3])} failed with status {error.returncode}; see above") from None
 
 
+def without_links(where: pathlib.Path) -> None:
+    """Archives know no links: each library below `where` has the one name that others load it by."""
+    for link in [path for path in where.rglob("*.so*") if path.is_symlink()]:
+        link.resolve().replace(link)
+
+
 def build(folder: pathlib.Path, where: pathlib.Path, tag: str = "") -> None:
     """Builds in `folder` and installs the package `burin` into `where`; for another Python than this one where the build has its
     headers and `tag` names it, such as cp313."""
@@ -53,9 +59,7 @@ def build(folder: pathlib.Path, where: pathlib.Path, tag: str = "") -> None:
             "-DBURIN_TESTS=OFF", "-DBURIN_BENCH=OFF", "-Wno-dev", f"-DBURIN_PYTHON_EXECUTABLE={sys.executable}")
     run("cmake", "--build", str(folder), "--target", "burin_bundle", "burin_python_stub", *([f"burin_python_{tag}"] if tag else []))
     run("cmake", "--install", str(folder), "--component", "bundle", "--strip", "--prefix", str(where))
-    # A wheel knows no links: each library has the one name that others load it by.
-    for link in [path for path in where.rglob("*.so*") if path.is_symlink()]:
-        link.resolve().replace(link)
+    without_links(where)
     modules = list(where.glob("burin/_burin*.so"))
     if tag:
         for module in modules:
@@ -64,6 +68,31 @@ def build(folder: pathlib.Path, where: pathlib.Path, tag: str = "") -> None:
     elif not any(module.name == "_burin" + str(sysconfig.get_config_var("EXT_SUFFIX")) for module in modules):
         raise SystemExit(f"burin: {folder} is a build for another Python than {sys.executable}: {[m.name for m in modules]}; "
                          "choose another folder by --config-settings build-dir=FOLDER")
+
+
+class Archive(zipfile.ZipFile):
+    """A zip that is written. The same files in the same order give the same bytes."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        super().__init__(path, "w", zipfile.ZIP_DEFLATED)
+
+    def add(self, inside: str, data: bytes, mode: int = 0o644) -> None:
+        entry = zipfile.ZipInfo(inside, WHEN)
+        entry.external_attr = (0o100000 | mode) << 16
+        self.writestr(entry, data, zipfile.ZIP_DEFLATED)
+
+
+def files_below(top: pathlib.Path) -> "list[tuple[str, bytes, int]]":
+    """What is below a folder, in order: name, bytes and mode."""
+    return [(path.relative_to(top).as_posix(), path.read_bytes(), 0o755 if os.access(path, os.X_OK) else 0o644)
+            for path in sorted(path for path in top.rglob("*") if path.is_file())]
+
+
+def zipped(top: pathlib.Path, to: pathlib.Path) -> None:
+    """Writes the files below `top` as a zip."""
+    with Archive(to) as archive:
+        for inside, data, mode in files_below(top):
+            archive.add(inside, data, mode)
 
 
 def record(name: str, data: bytes) -> str:
@@ -81,24 +110,16 @@ def pack(top: pathlib.Path, wheel_directory: pathlib.Path, platform: str, tag: s
     tag = tag or f"cp{sys.version_info[0]}{sys.version_info[1]}"
     info = info_folder()
     name = f"burin-{version()}-{tag}-{tag}-{platform}.whl"
-    files = sorted(path for path in top.rglob("*") if path.is_file())
-    with zipfile.ZipFile(wheel_directory / name, "w", zipfile.ZIP_DEFLATED) as archive:
+    with Archive(wheel_directory / name) as archive:
         listed = ""
-
-        def add(inside: str, data: bytes, mode: int = 0o644) -> str:
-            entry = zipfile.ZipInfo(inside, WHEN)
-            entry.external_attr = (0o100000 | mode) << 16
-            archive.writestr(entry, data, zipfile.ZIP_DEFLATED)
-            return record(inside, data)
-
-        for path in files:
-            mode = 0o755 if os.access(path, os.X_OK) else 0o644
-            listed += add(path.relative_to(top).as_posix(), path.read_bytes(), mode)
+        for inside, data, mode in files_below(top):
+            archive.add(inside, data, mode)
+            listed += record(inside, data)
         tags = f"Wheel-Version: 1.0\nGenerator: burin {version()}\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n"
-        listed += add(f"{info}/WHEEL", tags.encode())
-        listed += add(f"{info}/METADATA", metadata().encode())
-        listed += add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
-        add(f"{info}/RECORD", (listed + f"{info}/RECORD,,\n").encode())
+        for inside, data in (("WHEEL", tags.encode()), ("METADATA", metadata().encode()), ("LICENSE", (ROOT / "LICENSE").read_bytes())):
+            archive.add(f"{info}/{inside}", data)
+            listed += record(f"{info}/{inside}", data)
+        archive.add(f"{info}/RECORD", (listed + f"{info}/RECORD,,\n").encode())
     return name
 
 

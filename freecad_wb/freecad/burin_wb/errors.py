@@ -1,11 +1,13 @@
 """What can go wrong, once for all layers. The texts are for the user and say what to do."""
 
+import sys
+
 HOW_TO_INSTALL = (
-    "The drawing kernel (the Python module 'burin') was not found. Build it with './dev build' and "
-    "install it with 'cmake --install build/release', or set the environment variable BURIN_PYTHON_PATH "
-    "to the folder that holds it (build/release/python), or name that folder in the preferences. Documents open and show their kept drawings "
-    "without it."
-)
+    "The drawing kernel (the Python module 'burin') was not found for Python %d.%d. Without a compiler: install the add-on's archive for "
+    "Linux, which holds it, or unpack the wheel burin-*-cp%d%d-*.whl (python3 -m zipfile -e WHEEL FOLDER) and name the folder in the "
+    "preferences (Edit > Preferences > Burin) or in the environment variable BURIN_PYTHON_PATH. In a checkout: './dev build', then "
+    "'cmake --install build/release'. Documents open and show their kept drawings without it."
+) % (*sys.version_info[:2], *sys.version_info[:2])
 
 
 class Refused(ValueError):

@@ -4,9 +4,10 @@ import functools
 import importlib.machinery
 import importlib.util
 import os
+import re
 import sys
 
-from . import offers, preferences
+from . import errors, offers, preferences
 from .errors import KernelMissing
 from .load import load
 
@@ -15,13 +16,50 @@ def folders():
     """Folders that hold the module and are searched besides sys.path, in order: the environment's, the preferences',
     this add-on's own, the one that was installed with it, and the build folder of a development checkout."""
     here = os.path.dirname(os.path.realpath(__file__))
-    named = os.environ.get("BURIN_PYTHON_PATH", "")
-    found = [p for p in named.split(os.pathsep) if p]
-    found.append(preferences.kernel_folder())
-    found.append(os.path.join(here, "native"))
-    found.extend(_installed(here))
-    found.append(os.path.normpath(os.path.join(here, "../../../build/release/python")))
-    return [p for p in found if p and _holds_module(p)]
+    found = [*_named(), os.path.join(here, "native"), *_installed(here),
+             os.path.normpath(os.path.join(here, "../../../build/release/python"))]
+    return [p for p in found if _holds_module(p)]
+
+
+def _named():
+    """The folders that the user names. One that is the package itself stands for that which holds it."""
+    named = [*os.environ.get("BURIN_PYTHON_PATH", "").split(os.pathsep), preferences.kernel_folder()]
+    return [_above_package(p) for p in named if p]
+
+
+def _above_package(path):
+    above, name = os.path.split(os.path.abspath(path))
+    return above if name == "burin" and _modules(above) else path
+
+
+def why_missing():
+    """What to do where no kernel is found, with what is unfit of what is named and of what the add-on holds."""
+    native = os.path.join(os.path.dirname(os.path.realpath(__file__)), "native")
+    unfit = [_unfit(p) for p in _named()]
+    if _modules(native):
+        unfit.append(_unfit(native))
+    return " ".join([errors.HOW_TO_INSTALL, *(line for line in unfit if line)])
+
+
+def _unfit(path):
+    """Why a path holds no kernel for this Python; empty where it does."""
+    if _holds_module(path):
+        return ""
+    modules = _modules(path)
+    if modules:
+        pythons = sorted({"%s.%s" % found.groups() for found in map(re.compile(r"cpython-(\d)(\d+)").search, modules) if found})
+        return "%s holds it for Python %s." % (path, " and ".join(pythons) or "of another kind")
+    if path.endswith(".whl"):
+        return "%s is to be unpacked." % path
+    return "%s holds none." % path if os.path.exists(path) else "%s is not there." % path
+
+
+def _modules(folder):
+    """The compiled modules of the package in a folder, for whatever Python."""
+    try:
+        return [name for name in os.listdir(os.path.join(folder, "burin")) if name.startswith("_burin.") and name.endswith((".so", ".pyd"))]
+    except OSError:
+        return []
 
 
 def _installed(here):

@@ -10,7 +10,7 @@ import tempfile
 import threading
 
 from . import kernel, preferences
-from .errors import HOW_TO_INSTALL, Crashed, Failed, KernelMissing, Stopped
+from .errors import Crashed, Failed, KernelMissing, Stopped
 from .job import UNCHANGED, answer
 from .messages import ignore_broken_pipes, receive, send
 
@@ -98,7 +98,7 @@ class Worker:
         if not kernel.found():
             if what == "draw" and job.is_drawn():
                 return UNCHANGED
-            raise Failed(HOW_TO_INSTALL)
+            raise Failed(kernel.why_missing())
         with self._lock:
             self._number += 1
             self._cancelled, self._sent, self._running = False, False, self._number

@@ -3,6 +3,7 @@
 import importlib.machinery
 import json
 import os
+import sys
 import shutil
 import signal
 import stat
@@ -289,6 +290,16 @@ class Errors(Case):
                 with open(os.path.join(package, "_burin" + suffix), "w", encoding="utf-8"):
                     pass
                 self.assertEqual(self.folder in kernel.folders(), fits, suffix)
+                self.assertEqual(f"{self.folder} holds it for Python 2.7." in kernel.why_missing(), not fits)
+            os.environ["BURIN_PYTHON_PATH"] = package  # the package itself
+            self.assertIn(self.folder, kernel.folders())
+            wheel = os.path.join(self.folder, "burin-cp27.whl")
+            os.environ["BURIN_PYTHON_PATH"] = os.pathsep.join((wheel, self.folder + "/none", os.path.dirname(self.folder)))
+            why = kernel.why_missing()
+            self.assertIn(f"{wheel} is to be unpacked.", why)
+            self.assertIn(f"{self.folder}/none is not there.", why)
+            self.assertIn(f"{os.path.dirname(self.folder)} holds none.", why)
+            self.assertIn("cp%d%d" % sys.version_info[:2], why)
         finally:
             os.environ["BURIN_PYTHON_PATH"] = before
 

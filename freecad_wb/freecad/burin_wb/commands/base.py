@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import kernel
-from ..errors import HOW_TO_INSTALL, Failed, Refused
+from ..errors import Failed, Refused
 from ..features import is_illustration
 from ..tell import tell
 from ..text import tr
@@ -64,10 +64,11 @@ class Command:
 
 def ask_for_kernel():
     """Says what to install. Does not stop what runs: the box waits beside it."""
-    tell(HOW_TO_INSTALL)
+    why = kernel.why_missing()
+    tell(why)
     box = QtGui.QMessageBox(QtGui.QMessageBox.Information, "Burin", tr("The drawing kernel is not installed."),
                             QtGui.QMessageBox.Ok, Gui.getMainWindow())
-    box.setInformativeText(HOW_TO_INSTALL)
+    box.setInformativeText(why)
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()
 
