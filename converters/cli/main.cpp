@@ -21,6 +21,9 @@
 #include "styles.h"
 #include "watch.h"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -33,8 +36,14 @@ namespace {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
+/// Whether nobody reads on, as behind `| head`: that is no error of a text.
+bool reader_is_gone() {
+  pollfd out{STDOUT_FILENO, 0, 0};
+  return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
 void check_printed() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout)) && !reader_is_gone()) {
     throw OutputError("cannot be written", "standard output");
   }
 }

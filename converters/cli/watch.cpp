@@ -140,7 +140,23 @@ std::string only_input(const DrawArguments& arguments) {
   return arguments.inputs.size() == 1 ? arguments.inputs.front() : "";
 }
 
-/// Draws once. Returns whether it was drawn; reports errors.
+/// Whether the error under way cannot be mended by changing a model.
+bool is_of_the_call() {
+  try {
+    throw;
+  } catch (const UsageError&) {
+    return true;
+  } catch (const MissingFile&) {
+    return true;
+  } catch (const OutputError&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
+/// Draws once. Returns whether it was drawn; reports errors, but throws the first drawing's where
+/// no change of a model can mend it.
 bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, Console& console,
               KeptScene& kept) {
   const signals::Turn turn(context);
@@ -149,15 +165,8 @@ bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, C
     return true;
   } catch (const Cancelled&) {
     throw;
-  } catch (const UsageError&) {
-    if (first) throw;
-    console.clear();
-    report(only_input(arguments));
-  } catch (const MissingFile&) {
-    if (first) throw;
-    console.clear();
-    report(only_input(arguments));
   } catch (...) {
+    if (first && is_of_the_call()) throw;
     console.clear();
     report(only_input(arguments));
   }

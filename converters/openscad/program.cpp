@@ -91,6 +91,7 @@ class Verdict {
 
   ProgramOutput said() const {
     ProgramOutput out{messages_.diagnostics(folder_)};
+    out.hint = hint_;
     const Remark* error = messages_.first(Severity::Error);
     const Remark* warning = messages_.first(Severity::Warning);
     if (error) out.error = error->text;
@@ -156,7 +157,7 @@ std::vector<std::string> arguments_of(const OpenscadProgram& program, Makes make
 void ProgramOutput::fail(const std::string& what, const std::string& path) const {
   if (!error.empty()) throw InputError(error, file, line);
   if (warning.empty()) throw InputError(what, path);
-  throw InputError(what + "; its first warning: " + warning, file, line);
+  throw InputError(what + "; its first warning: " + warning + hint, file, line);
 }
 
 std::string contents(const MemoryFile& file) {

@@ -33,9 +33,11 @@ struct ProgramOutput {
   /// Its first error, else its first warning, and the place of that; empty where it has neither.
   std::string error = {}, warning = {}, file = {};
   std::int64_t line = 0;
+  /// What to do beside that where the program does not know a word; begins with "; ", or is empty.
+  std::string hint = {};
 
-  /// Throws InputError: the error; else `what`, and the warning, which may tell why; else of
-  /// `path`.
+  /// Throws InputError: the error; else `what`, and the warning, which may tell why, and what to
+  /// do; else of `path`.
   [[noreturn]] void fail(const std::string& what, const std::string& path) const;
 };
 

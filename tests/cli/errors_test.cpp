@@ -187,6 +187,16 @@ TEST_F(CliErrors, ClosedPipe) {
   EXPECT_EQ(command.wait(), 4);
 }
 
+TEST_F(CliErrors, TextsThatNobodyReadsOnAreNone) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  test::Command command(folder_, {"options", "--completion", "zsh"}, pipe);
+  ::close(reader);
+  EXPECT_EQ(command.wait(), 0);
+  EXPECT_EQ(command.std_err, "");
+}
+
 TEST_F(CliErrors, EarlierOutputStaysOnFailure) {
   folder_.write("a.svg", "precious");
   expect_failure("draw @/none.stl -o @/a.svg", 3, "none.stl");

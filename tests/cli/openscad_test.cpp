@@ -165,6 +165,15 @@ TEST_F(OpenscadOnPathTest, WithoutANewerOneTheMessageSaysHowToGetOne) {
   expect_error("Parser error: syntax error; if it is written for a newer OpenSCAD");
 }
 
+TEST_F(OpenscadOnPathTest, AnEmptyModelForWantOfAWordSaysHowToGetIt) {
+  add_program("openscad",
+              kHelp + std::string("echo \"WARNING: Ignoring unknown module 'fill' in file "
+                                  "m.scad, line 1\" >&2\n"
+                                  "echo 'Current top level object is empty.' >&2\nexit 1\n"));
+  EXPECT_EQ(draw("linear_extrude(3) fill() square(10);"), 3);
+  expect_error("unknown module 'fill'; if it is written for a newer OpenSCAD, install npm's");
+}
+
 TEST_F(OpenscadOnPathTest, WhatDoesNotAnswerIsLeftWithinTheTimeOfARun) {
   add_program("openscad", "#!/bin/sh\nexec /bin/sleep 50\n");
   EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0.3"), 3);

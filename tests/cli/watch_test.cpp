@@ -268,6 +268,8 @@ TEST_F(Watch, WhatIsWrongFromTheStartEndsIt) {
   expect_error("outline");
   EXPECT_EQ(run("watch @/bax.off -o @/out.svg"), 3);
   expect_error("no such file");
+  EXPECT_EQ(run("watch @/box.off -o @/nofolder/out.svg"), 4);
+  expect_error("the folder does not exist");
   EXPECT_EQ(run("watch @/box.off -o - --format svg"), 2);
   expect_error("standard output");
   EXPECT_EQ(run("watch @/box.off"), 2);

@@ -58,6 +58,16 @@ class Explode(Case):
         support.drawn()
         self.assertTrue(self.is_apart())
 
+    def test_of_hidden_parts_the_panel_opens_and_says_so(self):
+        for member in self.pump.Group:
+            member.Visibility = False
+        self.document.recompute()
+        panel = self.begin()
+        self.assertEqual(panel.displaced.moves(), {})
+        self.assertIn("no visible shape", self.obj.Message + panel.message.text() if hasattr(panel, "message") else self.obj.Message)
+        panel.reject()
+        self.wait()
+
     def test_a_turned_assembly_is_shown_along_the_ways_of_the_model(self):
         self.pump.Placement = FreeCAD.Placement(FreeCAD.Vector(5, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
         self.document.recompute()

@@ -232,7 +232,7 @@ class ExplodePanel(Panel):
         """Objects on their ways, and the arrows, as the steps are now."""
         if self.over:
             return
-        if not (self.shown.isChecked() and self.obj.Explode):
+        if not (self.shown.isChecked() and self.obj.Explode and self.extent.whole().isValid()):  # else all is hidden, as the preview says
             self.displaced.restore()
             self.arrows.show([], 1.0)
             return
