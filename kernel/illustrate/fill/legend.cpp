@@ -63,6 +63,8 @@ class Shades {
     }
     return out;
   }
+  /// The colours of a part, of its faces too.
+  std::vector<std::string> colors(std::size_t part) const { return fills_.colors(part); }
   /// All that a square of a part stands for.
   std::set<std::string> of(std::size_t part, const Area& square) const {
     std::set<std::string> out;
@@ -132,12 +134,26 @@ bool is_wide(const Area& area, double pen) {
   return largest_disc(sides, {}, {.precision = 0.02 * pen, .enough = enough}).radius >= enough;
 }
 
+/// The name of an item's row for a part: its own where listed parts of the item have different
+/// colours, so that each row tells which it is of.
+std::string row_name(const Scene& scene, const Shades& shades, const DrawingItem& item,
+                     std::size_t part) {
+  const auto differs = [&](std::int32_t other) {
+    const auto i = static_cast<std::size_t>(other);
+    return shades.lists(i) && shades.colors(i) != shades.colors(part);
+  };
+  return std::ranges::any_of(item.parts, differs) ? scene.parts[part].name : item.name;
+}
+
 /// Whether any area, or its hatching, is one that a row stands for.
-bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
-             const Drawing& drawing, double pen) {
+bool is_seen(const LegendRow& row, const Scene& scene, std::span<const DrawingItem> items,
+             const Shades& shades, const Drawing& drawing, double pen) {
   std::set<std::int32_t> parts;
   for (const DrawingItem& item : items) {
-    if (item.name != row.name) continue;
+    const bool own = std::ranges::any_of(item.parts, [&](std::int32_t part) {
+      return scene.parts[static_cast<std::size_t>(part)].name == row.name;
+    });
+    if (item.name != row.name && !own) continue;
     for (const std::int32_t part : item.parts) {
       if (shades.lists(static_cast<std::size_t>(part))) parts.insert(part);
     }
@@ -180,14 +196,13 @@ std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
   const Shades shades(scene, style, options);
   std::vector<LegendRow> rows;
   for (const DrawingItem& item : items) {
+    std::set<std::string> fills;  // of the item
     for (const std::int32_t part : item.parts) {
       const auto i = static_cast<std::size_t>(part);
       if (!shades.lists(i)) continue;
       for (Area& square : shades.squares(i)) {
-        const bool known = std::ranges::any_of(rows, [&](const LegendRow& other) {
-          return other.name == item.name && other.square.fill == square.fill;
-        });
-        if (!known) rows.push_back({item.number, item.name, std::move(square)});
+        if (!fills.insert(square.fill).second) continue;
+        rows.push_back({item.number, row_name(scene, shades, item, i), std::move(square)});
       }
     }
   }
@@ -201,7 +216,7 @@ Annotations with_seen_rows(const Scene& scene, const Style& style, const Illustr
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
   for (LegendRow& row : out.legend) {
-    row.seen = is_seen(row, out.items, shades, drawing, style.line.crease);
+    row.seen = is_seen(row, scene, out.items, shades, drawing, style.line.crease);
   }
   return out;
 }

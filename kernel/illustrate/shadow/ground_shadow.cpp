@@ -127,9 +127,10 @@ std::vector<Vec3> before_viewer(const std::vector<Vec3>& ring, const Camera& cam
   return out;
 }
 
+/// Glass stands on the ground too.
 double lowest(const Occluders& occluders) {
   Box3 bounds;
-  for (const ProxyMesh* proxy : occluders.solid_proxies()) bounds.add(proxy->mesh.bounds());
+  for (const ProxyMesh* proxy : occluders.proxies()) bounds.add(proxy->mesh.bounds());
   return bounds.min.z;
 }
 

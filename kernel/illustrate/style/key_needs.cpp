@@ -41,6 +41,7 @@ bool strokes_look_at_light(const KeyPlace& p) {
 
 template <std::size_t n>
 struct Name {
+  // NOLINTNEXTLINE(google-explicit-constructor): a text as a template argument
   constexpr Name(const char (&text)[n]) { std::copy_n(text, n, value); }
   char value[n];
 };

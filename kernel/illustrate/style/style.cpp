@@ -104,7 +104,8 @@ std::optional<std::string> first_fault(const Style& style) {
 /// What a colour may be, and the nearest to what it is: names of colours, and `words` that the key
 /// takes beside them.
 [[noreturn]] void refuse_color(const std::string& key, const std::string& color,
-                               std::string_view others, std::vector<std::string> words = {}) {
+                               std::string_view others,
+                               const std::vector<std::string>& words = {}) {
   std::vector<KnownWord> known;
   for (const std::string& word : words) known.push_back({word});
   for (const std::string& name : color_names()) known.push_back({name});

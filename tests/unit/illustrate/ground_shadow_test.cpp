@@ -23,9 +23,12 @@ struct Seen {
   Drawing drawing;
   Vec3 to_light;
   Vec3 to_viewer;
+  Camera camera;
 };
 
-Seen draw(const Scene& scene, const char* view, bool glass = false) {
+/// `glass`: all parts, or the last one alone.
+enum class Glass { None, Last, All };
+Seen draw(const Scene& scene, const char* view, Glass glass = Glass::None) {
   Style style = builtin_style("flat");
   style.shadow.ground = true;
   RunContext context;
@@ -35,11 +38,12 @@ Seen draw(const Scene& scene, const char* view, bool glass = false) {
                   {.direction = v.direction, .up = v.up, .scale = kScale, .paper = {300, 300}});
   IllustrateOptions options;
   options.part_styles.resize(scene.parts.size());
-  for (PartStyle& look : options.part_styles) look.transparent = glass;
+  for (PartStyle& look : options.part_styles) look.transparent = glass == Glass::All;
+  if (glass == Glass::Last) options.part_styles.back().transparent = true;
   const Vec3 light = glm::normalize(style.tone.light);
   return {illustrate(scene, camera, style, options, context),
           camera.right() * light.x + camera.up() * light.y + camera.direction() * light.z,
-          camera.direction()};
+          camera.direction(), camera};
 }
 
 Scene boxes(std::initializer_list<Box3> all) {
@@ -99,13 +103,22 @@ TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {
       draw(boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-60, -60, 0}, {-55, -55, 5}}}), "iso");
   EXPECT_EQ(shadow_of(alone.drawing)->rings.size(), 1u);
   EXPECT_EQ(shadow_of(both.drawing)->rings.size(), 2u);
+  // Glass casts none and stands on the ground too: the shadow of what it holds lies at its foot.
+  const Scene held = boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-20, -20, 0}, {20, 20, 60}}});
+  const Seen seen = draw(held, "iso", Glass::Last);
+  const Area* at_foot = shadow_of(seen.drawing);
+  ASSERT_NE(at_foot, nullptr);
+  Box2 box;
+  for (const Vec2& p : at_foot->rings.at(0)) box.add(p);
+  const Vec3 foot = Vec3(0, 0, 45) - seen.to_light * (45 / seen.to_light.z);
+  EXPECT_LT(glm::distance(box.center(), seen.camera.to_paper(foot)), 0.1);
 }
 
 TEST(GroundShadow, ThereIsNoneFromBelowFromTheSideAndOfGlass) {
   const Scene scene = boxes({{{-10, -15, 4}, {10, 15, 29}}});
   EXPECT_EQ(shadow_of(draw(scene, "bottom").drawing), nullptr);
   EXPECT_EQ(shadow_of(draw(scene, "front").drawing), nullptr);
-  EXPECT_EQ(shadow_of(draw(scene, "iso", true).drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw(scene, "iso", Glass::All).drawing), nullptr);
 }
 
 Box2 box_of(const Drawing& drawing) {

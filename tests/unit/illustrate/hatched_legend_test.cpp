@@ -196,6 +196,22 @@ TEST(Legend, HasNoRowOfWhatIsHiddenOrLiesUnderLines) {
   EXPECT_EQ(seen_beside(0.4), (Strings{"lid", "pin"}));
 }
 
+TEST(Legend, NamesThePartsOfAnItemThatHaveSeveralColours) {
+  const Scene scene = two_boxes();
+  const std::vector<DrawingItem> of_both{{1, "box (2)", {0, 1}, "", ""}};
+  const auto names = [&](const Scene& of) {
+    Strings out;
+    for (const LegendRow& row : legend_rows(of, builtin_style("flat"), {}, of_both)) {
+      out.push_back(row.name);
+    }
+    return out;
+  };
+  EXPECT_EQ(names(scene), (Strings{scene.parts[0].name, scene.parts[1].name}));
+  Scene alike = scene;
+  alike.parts[1].color = alike.parts[0].color;
+  EXPECT_EQ(names(alike), Strings{"box (2)"});
+}
+
 // Where two parts lie in one place of the picture the first one is seen.
 TEST(Legend, HasNoRowOfAPartThatAnotherCovers) {
   Scene scene = two_boxes();
