@@ -79,8 +79,8 @@ TEST(LightNormals, GiveANoisyRingItsIsophotesWithoutIslands) {
   };
   const std::vector<Vec3> normals = light_normals(proxy, s.camera, kPen, s.context);
   const std::vector<Curve3> circles = borders(normals);
-  EXPECT_GT(borders({}).size(), 5u);
   ASSERT_EQ(circles.size(), 2u) << "inside and outside of the crest";
+  EXPECT_GT(borders({}).size(), 2 * circles.size());
   for (const Curve3& circle : circles) {
     EXPECT_TRUE(circle.closed);
     double length = 0;
