@@ -265,7 +265,8 @@ class Planner {
     if (areas_ > 0) {
       report(Severity::Warning, "pen.fills", areas_,
              fmt::format("a pen draws lines alone: the colours of {} areas are left out; "
-                         "fill.hatch=lines hatches areas (with fill.hatch_color=fill in their "
+                         "fill.hatch=lines hatches areas (with fill.opacity=0 and "
+                         "fill.hatch_color=fill in their "
                          "colours), hatch.enabled=true draws strokes in the shade",
                          areas_));
     }
