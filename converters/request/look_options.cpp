@@ -80,8 +80,7 @@ void refuse_color(const Asked& asked, const std::string& parts, const std::strin
       asked.spelled.starts_with("--") ? Spelling::Options : Spelling::Keywords;
   throw UsageError(fmt::format(
       "{0} takes NAME=STYLE, and '{1}' is a colour: {2} {3}={1} draws these parts in it, or write "
-      "a "
-      "style file, such as part.json that holds {{\"fill.color\": \"{1}\"}}, and then {0} "
+      "a style file, such as part.json that holds {{\"fill.color\": \"{1}\"}}, and then {0} "
       "{3}=part.json",
       asked.spelled, style, spelling == Spelling::Options ? "--highlight" : "highlight", parts));
 }

@@ -266,8 +266,8 @@ class Planner {
       report(Severity::Warning, "pen.fills", areas_,
              fmt::format("a pen draws lines alone: the colours of {} areas are left out; "
                          "fill.hatch=lines hatches areas (with fill.opacity=0 and "
-                         "fill.hatch_color=fill in their "
-                         "colours), hatch.enabled=true draws strokes in the shade",
+                         "fill.hatch_color=fill in their colours), hatch.enabled=true draws "
+                         "strokes in the shade",
                          areas_));
     }
     if (cut_ > 0) {

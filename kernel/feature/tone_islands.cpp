@@ -132,4 +132,9 @@ std::vector<Vec3> without_islands(const ProxyMesh& proxy, std::vector<Vec3> norm
   return normals;
 }
 
+std::vector<Vec3> tone_normals(const ProxyMesh& proxy, const Isophotes& isophotes,
+                               const Camera& camera, double pen, const RunContext& context) {
+  return without_islands(proxy, light_normals(proxy, camera, pen, context), isophotes, camera, pen);
+}
+
 }  // namespace burin

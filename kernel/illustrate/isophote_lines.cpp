@@ -32,8 +32,7 @@ std::vector<Curve3> isophote_lines(const Occluders& occluders, const Camera& cam
     const ProxyMesh& proxy = *proxies[i];
     std::vector<Vec3> normals;
     if (!occluders.surfaces()[i]->exact()) {
-      normals = without_islands(proxy, light_normals(proxy, camera, pen, context), isophotes[i],
-                                camera, pen);
+      normals = tone_normals(proxy, isophotes[i], camera, pen, context);
     }
     std::ranges::move(
         trace_isophotes(proxy, static_cast<std::int32_t>(i), isophotes[i], camera, context,

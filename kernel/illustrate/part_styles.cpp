@@ -2,7 +2,6 @@
 
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
-#include <burin/drawing/color.h>
 #include <burin/illustrate/stroke_selectors.h>
 
 #include <fmt/format.h>
@@ -44,15 +43,18 @@ void share_tone(std::span<const StrokeSet> all, bool one_tone, StrokeSet& set) {
 }
 
 // How much ink a mm has of the lines in which a part meets others, 0 where it has none.
-double meeting_ink(const Style& style, const Style& sheet) {
+double meeting_ink(const Style& style, const Style& whole) {
   if (!style.feature.intersections) return 0;
-  const std::string& own = style.line.color;
-  const Rgb ink = rgb_of(own.empty() ? sheet.sheet.ink : own).value_or(Rgb{});
-  const Rgb paper = rgb_of(sheet.sheet.paper).value_or(Rgb{255, 255, 255});
-  return style.line.intersection * contrast(ink, paper);
+  const Rgb paper = rgb_of(whole.sheet.paper).value_or(Rgb{255, 255, 255});
+  return style.line.intersection * contrast(line_ink(style, whole), paper);
 }
 
 }  // namespace
+
+Rgb line_ink(const Style& style, const Style& whole) {
+  const std::string& own = style.line.color;
+  return rgb_of(own.empty() ? whole.sheet.ink : own).value_or(Rgb{});
+}
 
 PartStyles::PartStyles(const Scene& scene, const Style& style, const IllustrateOptions& options)
     : parts_(scene.parts.size()), styles_{&style} {

@@ -1,6 +1,7 @@
 #pragma once
 // How each part is drawn; internal to the module.
 
+#include <burin/drawing/color.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <memory>
@@ -20,6 +21,10 @@ struct StrokeSet {
   /// share the tone of a part give it together; empty: 1.
   std::vector<double> exponents{};
 };
+
+/// The colour of the lines of parts in a style: its own, else the ink of the sheet, which the style
+/// of the whole drawing has.
+Rgb line_ink(const Style& style, const Style& whole);
 
 /// The looks of all parts of a scene. Scene, options and style must outlive it.
 class PartStyles {

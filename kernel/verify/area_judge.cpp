@@ -39,9 +39,7 @@ AreaJudge::AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses,
     const auto& surface = toned.surfaces()[i];
     const bool steps = i < rule.tones.size() && !rule.tones[i].levels.empty();
     if (!steps || !surface || surface->exact()) continue;
-    normals_[i] = without_islands(
-        surface->proxy(), light_normals(surface->proxy(), toned.camera(), rule.pen, context),
-        rule.tones[i], toned.camera(), rule.pen);
+    normals_[i] = tone_normals(surface->proxy(), rule.tones[i], toned.camera(), rule.pen, context);
   }
 }
 

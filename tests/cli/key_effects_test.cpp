@@ -1,4 +1,4 @@
-// Keys of colours, tones and shadows change the drawing, or it is told that they do not.
+// Keys of colours, tones and shadows change the drawing, or a warning says that they do not.
 #include <burin/illustrate/style.h>
 
 #include "models.h"
@@ -45,7 +45,7 @@ class KeyEffects : public test::CliTest {
     drawing.erase("diagnostics");
     return drawing.dump();
   }
-  std::string told(const std::string& options) {
+  std::string warnings(const std::string& options) {
     drawn(options);
     return err_;
   }
@@ -74,35 +74,37 @@ TEST_F(KeyEffects, TheReasonSaysWhatToDo) {
   const auto of = [](const std::string& key, const std::string& why) {
     return "burin: warning: style key " + key + " has no effect" + why + "\n";
   };
-  EXPECT_EQ(told("--style outline --set fill.opacity=0.5"),
+  EXPECT_EQ(warnings("--style outline --set fill.opacity=0.5"),
             of("fill.opacity", ": style 'outline' gives parts no colour (fill.color=part does)"));
-  EXPECT_EQ(told("--style flat --set fill.legend=false"), of("fill.legend", " without --legend"));
-  EXPECT_EQ(told("--style flat --set fill.hatch_color=red"),
+  EXPECT_EQ(warnings("--style flat --set fill.legend=false"),
+            of("fill.legend", " without --legend"));
+  EXPECT_EQ(warnings("--style flat --set fill.hatch_color=red"),
             of("fill.hatch_color", ": fill.hatch is none (fill.hatch=lines hatches areas)"));
-  EXPECT_EQ(told("--style outline --set fill.hatch=lines --set fill.hatch_color=fill"),
+  EXPECT_EQ(warnings("--style outline --set fill.hatch=lines --set fill.hatch_color=fill"),
             of("fill.hatch_color",
                ": lines have the colour of their part, which fill.color=none takes from it "
                "(fill.color=part and fill.opacity=0 colour the lines alone)"));
   EXPECT_NE(
-      told("--style flat --set shadow.ground=true --view bottom").find("shadow.ground has no"),
+      warnings("--style flat --set shadow.ground=true --view bottom").find("shadow.ground has no"),
       std::string::npos);
-  EXPECT_NE(told("--style flat --set fill.color=red --highlight ball").find("fill.color has no"),
-            std::string::npos);
+  EXPECT_NE(
+      warnings("--style flat --set fill.color=red --highlight ball").find("fill.color has no"),
+      std::string::npos);
   // What has an effect, or is as it was, is no matter.
-  EXPECT_EQ(told("--style flat --set shadow.ground=true"), "");
-  EXPECT_EQ(told("--style outline --set fill.color=none"), "");
-  EXPECT_EQ(told("--style outline --set fill.color=part --set fill.opacity=0.5"), "");
-  EXPECT_EQ(told("--style outline --look ball=flat --set fill.hatch=lines"), "");
+  EXPECT_EQ(warnings("--style flat --set shadow.ground=true"), "");
+  EXPECT_EQ(warnings("--style outline --set fill.color=none"), "");
+  EXPECT_EQ(warnings("--style outline --set fill.color=part --set fill.opacity=0.5"), "");
+  EXPECT_EQ(warnings("--style outline --look ball=flat --set fill.hatch=lines"), "");
 }
 
 TEST_F(KeyEffects, HighlightsOfWhichNothingIsLeftAreTold) {
-  EXPECT_EQ(told("--highlight b* --highlight ball=red"), "");
-  EXPECT_EQ(told("--highlight ball --highlight b*=red"),
+  EXPECT_EQ(warnings("--highlight b* --highlight ball=red"), "");
+  EXPECT_EQ(warnings("--highlight ball --highlight b*=red"),
             "burin: warning: --highlight 'ball' has no effect: --highlight 'b*=red' is laid over "
             "all of its parts, such as 'ball' (of several looks the last one holds, and looks go "
             "over highlights)\n");
   EXPECT_EQ(
-      told("--highlight ball --hide ball"),
+      warnings("--highlight ball --hide ball"),
       "burin: warning: --highlight 'ball' has no effect: 'ball' is left out of the drawing\n");
 }
 
@@ -117,11 +119,11 @@ TEST_F(KeyEffects, ColoursThatAreNoneAreToldWithTheNearest) {
 }
 
 TEST_F(KeyEffects, AnEmptyLegendSaysWhichKeyLeavesColoursOut) {
-  EXPECT_NE(told("--style flat --legend --set fill.legend=false")
+  EXPECT_NE(warnings("--style flat --legend --set fill.legend=false")
                 .find("fill.legend=false leaves all colours out of the legend"),
             std::string::npos)
       << err_;
-  EXPECT_NE(told("--style outline --legend").find("there is no colour for a legend"),
+  EXPECT_NE(warnings("--style outline --legend").find("there is no colour for a legend"),
             std::string::npos)
       << err_;
 }

@@ -11,13 +11,17 @@ from . import errors, offers, preferences
 from .errors import KernelMissing
 from .load import load
 
+_HERE = os.path.dirname(os.path.realpath(__file__))
+# The kernel of an add-on that holds one.
+_NATIVE = os.path.join(_HERE, "native")
+# In the name of a compiled module: the version of its Python.
+_PYTHON = re.compile(r"cpython-(\d)(\d+)")
+
 
 def folders():
     """Folders that hold the module and are searched besides sys.path, in order: the environment's, the preferences',
     this add-on's own, the one that was installed with it, and the build folder of a development checkout."""
-    here = os.path.dirname(os.path.realpath(__file__))
-    found = [*_named(), os.path.join(here, "native"), *_installed(here),
-             os.path.normpath(os.path.join(here, "../../../build/release/python"))]
+    found = [*_named(), _NATIVE, *_installed(), os.path.normpath(os.path.join(_HERE, "../../../build/release/python"))]
     return [p for p in found if _holds_module(p)]
 
 
@@ -34,10 +38,7 @@ def _above_package(path):
 
 def why_missing():
     """What to do where no kernel is found, with what is unfit of what is named and of what the add-on holds."""
-    native = os.path.join(os.path.dirname(os.path.realpath(__file__)), "native")
-    unfit = [_unfit(p) for p in _named()]
-    if _modules(native):
-        unfit.append(_unfit(native))
+    unfit = [_unfit(p) for p in [*_named(), *([_NATIVE] if _modules(_NATIVE) else [])]]
     return " ".join([errors.HOW_TO_INSTALL, *(line for line in unfit if line)])
 
 
@@ -47,7 +48,7 @@ def _unfit(path):
         return ""
     modules = _modules(path)
     if modules:
-        pythons = sorted({"%s.%s" % found.groups() for found in map(re.compile(r"cpython-(\d)(\d+)").search, modules) if found})
+        pythons = sorted({"%s.%s" % found.groups() for found in map(_PYTHON.search, modules) if found})
         return "%s holds it for Python %s." % (path, " and ".join(pythons) or "of another kind")
     if path.endswith(".whl"):
         return "%s is to be unpacked." % path
@@ -62,14 +63,14 @@ def _modules(folder):
         return []
 
 
-def _installed(here):
+def _installed():
     """PREFIX/lib/pythonX.Y/dist-packages beside PREFIX/share/freecad/Mod/Burin, wherever the prefix was moved to; for
     add-ons installed elsewhere what the installation noted."""
-    prefix = os.path.normpath(os.path.join(here, "../../../../../.."))
+    prefix = os.path.normpath(os.path.join(_HERE, "../../../../../.."))
     python = "lib/python%d.%d" % sys.version_info[:2]
     found = [os.path.join(prefix, python, packages) for packages in ("dist-packages", "site-packages")]
     try:
-        with open(os.path.join(here, "kernel.path"), encoding="utf-8") as noted:
+        with open(os.path.join(_HERE, "kernel.path"), encoding="utf-8") as noted:
             found.append(noted.read().strip())
     except OSError:
         pass

@@ -224,8 +224,7 @@ Tones Fills::tones_of(std::size_t part, const Rgb& color) const {
 }
 
 Rgb Fills::ink_of(std::size_t part) const {
-  const std::string& own = part_styles_.style(part).line.color;
-  return rgb_of(own.empty() ? part_styles_.styles().front()->sheet.ink : own).value_or(Rgb{});
+  return line_ink(part_styles_.style(part), *part_styles_.styles().front());
 }
 
 void set_face_color(const std::string& color, Area& area) {

@@ -21,8 +21,8 @@ struct KeyPlace {
 
 struct KeyNeed {
   bool (*holds)(const KeyPlace&);
-  /// What follows "has no effect" where it does not hold; {style}, {law} and {ink} stand for those
-  /// of the part.
+  /// What follows "has no effect" where it does not hold. {style}, {law} and {ink} stand for those
+  /// of the part, {toneink} for its tone.ink.
   std::string_view otherwise;
 };
 

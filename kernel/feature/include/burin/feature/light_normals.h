@@ -32,6 +32,10 @@ std::vector<Vec3> light_normals(const ProxyMesh& proxy, const Camera& camera, do
 std::vector<Vec3> without_islands(const ProxyMesh& proxy, std::vector<Vec3> normals,
                                   const Isophotes& isophotes, const Camera& camera, double pen);
 
+/// Both: what flat tones and lines of equal light on a mesh are found by.
+std::vector<Vec3> tone_normals(const ProxyMesh& proxy, const Isophotes& isophotes,
+                               const Camera& camera, double pen, const RunContext& context);
+
 /// The unit normal between those of its wedges, at a place of a triangle; `normals` may be empty.
 Vec3 light_normal(const ProxyMesh& proxy, std::span<const Vec3> normals, std::uint32_t face,
                   Vec3 bary);

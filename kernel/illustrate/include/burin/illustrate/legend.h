@@ -19,7 +19,7 @@ std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
                                    std::span<const DrawingItem> items);
 
 /// What `options` lays over a drawing, with the rows of the legend whose colour any of its areas
-/// has, in any tone, or its hatching, told as seen and the others as not. An area that is nowhere
+/// has, in any tone, or its hatching, marked as seen and the others as not. An area that is nowhere
 /// as wide as a pen (`line.crease`) is not seen. Where there are no annotations, none.
 Annotations with_seen_rows(const Scene& scene, const Style& style, const IllustrateOptions& options,
                            const Drawing& drawing);

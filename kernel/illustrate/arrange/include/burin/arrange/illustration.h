@@ -28,7 +28,8 @@ struct Look {
   std::optional<Style> style = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
-  /// As it was asked for, "`highlight` rod*=red": that nothing is left of it is told. Empty: not.
+  /// As it was asked for, "`highlight` rod*=red", for the warning that nothing is left of it.
+  /// Empty: there is none.
   std::string asked = {};
 };
 
