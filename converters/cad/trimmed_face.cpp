@@ -8,8 +8,11 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Precision.hxx>
+#include <Standard_RangeError.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -42,6 +45,7 @@ class FaceOnSurface {
   TopoDS_Vertex vertex(const gp_Pnt& p);
   TopoDS_Wire wire(const LoopCurves& curves);
   TopoDS_Edge edge(const Handle(Geom2d_BSplineCurve) & curve);
+  void measure(const TopoDS_Edge& edge);
 
   Handle(Geom_BSplineSurface) surface_;
   double one_point_ = 0, border_ = 0;
@@ -108,6 +112,33 @@ TopoDS_Wire FaceOnSurface::wire(const LoopCurves& curves) {
   return wire;
 }
 
+/// States that the border in space and the curve on the surface have one parameter, with the
+/// tolerance that this takes.
+void FaceOnSurface::measure(const TopoDS_Edge& edge) {
+  if (BRep_Tool::Degenerated(edge)) return;
+  constexpr int kSamples = 8;  // a stretch between knots
+  double from = 0, to = 0;
+  const Handle(Geom_Curve) border = BRep_Tool::Curve(edge, from, to);
+  const auto curve = Handle(Geom2d_BSplineCurve)::DownCast(
+      BRep_Tool::CurveOnSurface(edge, surface_, TopLoc_Location(), from, to));
+  double off = 0;
+  for (int k = 1; k < curve->NbKnots(); ++k) {
+    const double a = curve->Knot(k), b = curve->Knot(k + 1);
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = a + (b - a) * i / kSamples;
+      off = std::max(off, border->Value(t).Distance(at(curve, t)));
+    }
+  }
+  constexpr double kBetween = 1.1;  // samples
+  const double tolerance = std::max(border_, kBetween * off);
+  builder_.SameRange(edge, true);
+  builder_.SameParameter(edge, true);
+  builder_.UpdateEdge(edge, tolerance);
+  for (TopExp_Explorer it(edge, TopAbs_VERTEX); it.More(); it.Next()) {
+    builder_.UpdateVertex(TopoDS::Vertex(it.Current()), tolerance);
+  }
+}
+
 TopoDS_Face FaceOnSurface::face(const TrimRegion& region) {
   vertices_.clear();
   points_.clear();
@@ -115,7 +146,14 @@ TopoDS_Face FaceOnSurface::face(const TrimRegion& region) {
   builder_.MakeFace(face, surface_, border_);
   builder_.Add(face, wire(region.outer));
   for (const LoopCurves& hole : region.holes) builder_.Add(face, wire(hole));
-  BRepLib::SameParameter(face, border_, true);
+  try {
+    BRepLib::SameParameter(face, border_, true);
+  } catch (const Standard_RangeError&) {
+    // OCCT 7.8 reads beyond a table where a curve has corners. The borders were made of the curves.
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+      measure(TopoDS::Edge(it.Current()));
+    }
+  }
   return face;
 }
 

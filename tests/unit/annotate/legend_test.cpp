@@ -74,10 +74,11 @@ TEST(Legend, OfLongNamesShowsWhatTellsThemApart) {
       if (text.text.starts_with("Hexagon")) texts.push_back(text.text);
     }
     ASSERT_EQ(texts.size(), 3u) << layer.name;
-    std::ranges::sort(texts);
-    EXPECT_NE(texts[0].find("...M8x30"), std::string::npos) << texts[0];
-    EXPECT_NE(texts[1].find("...M8x40"), std::string::npos) << texts[1];
-    EXPECT_TRUE(texts[2].starts_with("Hexagon socket head cap nut")) << "cut at its end";
+    // Where they are cut depends on the font.
+    for (const std::string part : {"...M8x30", "...M8x40", "socket head cap nut"}) {
+      const auto has = [&](const std::string& text) { return text.find(part) != text.npos; };
+      EXPECT_EQ(std::ranges::count_if(texts, has), 1) << part << " in " << layer.name;
+    }
     for (const std::string& text : texts) EXPECT_LE(text_width(text, 2.5), 24 * 2.5 + 1e-6);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepTools.hxx>
+#include <Standard_Version.hxx>
 #include <burin_test/shapes.h>
 #include <fmt/format.h>
 
@@ -74,8 +75,11 @@ TEST_F(BadFiles, TrianglesInPlaceOfSurfacesAreTold) {
   };
   const Scene scene = read(with(tessellated("#1")));
   EXPECT_EQ(scene.parts.size(), 2u);
-  EXPECT_EQ(test::count_of(scene.diagnostics, "step.tessellated"), 1);
-  EXPECT_EQ(test::count_of(read(with(tessellated("$"))).diagnostics, "step.tessellated"), 2);
+  // OCCT 7.8 knows them. These belong to no product.
+  constexpr bool kRead = OCC_VERSION_HEX >= 0x070700;
+  EXPECT_EQ(test::count_of(scene.diagnostics, "step.tessellated"), kRead ? 0 : 1);
+  EXPECT_EQ(test::count_of(read(with(tessellated("$"))).diagnostics, "step.tessellated"),
+            kRead ? 0 : 2);
 
   const std::string only =
       "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
@@ -95,8 +99,14 @@ TEST_F(BadFiles, TrianglesInPlaceOfSurfacesAreTold) {
       "#12=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
       "#13=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
       "ENDSEC;\nEND-ISO-10303-21;\n";
-  expect_error(folder_.write("only.step", only),
-               "holds tessellated geometry only (triangles of AP242: 2 bodies, 2 faces)");
+  const std::string file = folder_.write("only.step", only);
+  if (kRead) {
+    const Scene triangles = read(file);
+    ASSERT_EQ(triangles.parts.size(), 1u);
+    test::expect_box(triangles.parts[0].form->bounds(Mat3(1)), {0, 0, 0}, {1, 1, 1});
+  } else {
+    expect_error(file, "holds tessellated geometry only (triangles of AP242: 2 bodies, 2 faces)");
+  }
 }
 
 TEST_F(BadFiles, ErrorsOfSyntaxNameTheLine) {

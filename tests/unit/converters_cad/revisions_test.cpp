@@ -13,6 +13,7 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
+#include <UnitsMethods_LengthUnit.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_Location.hxx>
 #include <gp_Ax2.hxx>
@@ -55,6 +56,8 @@ class Revised {
   }
   std::string write(const std::string& file, const char* unit = "MM") {
     shapes_->UpdateAssemblies();
+    // OCCT 7.8 takes the numbers of a document without a unit for what is asked for.
+    XCAFDoc_DocumentTool::SetLengthUnit(document_, 1, UnitsMethods_LengthUnit_Millimeter);
     Interface_Static::SetCVal("write.step.unit", unit);
     STEPCAFControl_Writer writer;
     writer.SetNameMode(Standard_True);
