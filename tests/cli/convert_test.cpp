@@ -191,6 +191,11 @@ import os, sys, traceback
 try:
     import FreeCAD, Import
     folder = os.environ["BURIN_FOLDER"]
+    try:
+        Import.readDXF(folder + "/line.dxf", FreeCAD.newDocument("line").Name)
+    except RuntimeError:
+        open(folder + "/refused", "w").close()
+        os._exit(0)
     name = FreeCAD.newDocument("r").Name
     Import.readDXF(folder + "/r.dxf", name)
     with open(folder + "/shapes", "w") as out:
@@ -214,9 +219,16 @@ TEST_F(Convert, FreecadReadsDxfAtTrueScale) {
   if (!has_program("freecadcmd")) GTEST_SKIP() << "freecad is not installed";
   ASSERT_EQ(run("convert @/r.json -o @/r.dxf --set dxf.splines=true"), 0);
   folder_.write("script.py", kFreecadScript);
+  folder_.write("line.dxf",
+                "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n9\n21\n0\n0\nENDSEC\n0\n"
+                "EOF\n");
   ASSERT_TRUE(shell(fmt::format(
       "mkdir {0}/home; BURIN_FOLDER={0} FREECAD_USER_HOME={0}/home freecadcmd {0}/script.py",
       folder_.path())));
+  // So does FreeCAD 1.0.0 of Debian 13 without a window.
+  if (std::filesystem::exists(folder_ / "refused")) {
+    GTEST_SKIP() << "this FreeCAD cannot even read one line of a DXF";
+  }
   const std::string shapes = slurp(folder_ / "shapes");
   const auto holds = [&](const std::string& line) {
     return shapes.find(line + "\n") != std::string::npos;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -357,6 +359,28 @@ TEST(Partition, IsTheSameForAnyNumberOfThreads) {
   ASSERT_EQ(many.regions.size(), alone.regions.size());
   for (std::size_t i = 0; i < many.regions.size(); ++i) {
     EXPECT_EQ(many.regions[i].rings[0].corners, alone.regions[i].rings[0].corners);
+  }
+}
+
+/// One place says little of a triangle as thin as lines and labels may differ.
+TEST(Partition, AThinTriangleIsWhatLiesBeyondItsSidesWithoutALine) {
+  const std::vector<Vec2> line = {{0, 0.3}, {40, 0.3}, {41, 0.3}, {100, 0.3}};
+  const std::vector<BorderLine> lines = {{line, false, 1}};
+  // Those between the short piece of the line and a corner of the sheet.
+  const std::array thin = {Vec2(81, 0.6) / 3.0, Vec2(181, 0.6) / 3.0};
+  std::atomic<int> asked = 0;
+  const LabelAt label_at = [&](Vec2 at) {
+    const bool wrong =
+        std::ranges::any_of(thin, [&](Vec2 p) { return glm::distance(p, at) < 0.01; });
+    asked += wrong ? 1 : 0;
+    return AreaLabel{.part = at.y < 0.3 && !wrong ? 1 : 0};
+  };
+  const Partition p = part(lines, label_at, {.slack = 0.04});
+  expect_sound(p);
+  EXPECT_GT(asked, 0) << "another triangulation";
+  ASSERT_EQ(p.regions.size(), 2u);
+  for (const AreaRegion& region : p.regions) {
+    EXPECT_NEAR(region.area, region.label.part == 1 ? 30 : 7970, 1e-9);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 namespace burin {
 namespace {
@@ -35,12 +36,13 @@ class ExternalFiles : public test::CadTest {
 
   /// OCCT 7.8 writes no names of instances into an assembly of several files.
   void name_second() {
-    std::string text = test::slurp(file_);
-    const std::string nameless = "NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','',";
-    const auto at = text.find(nameless);
-    if (at == text.npos) return;
-    text.replace(at, nameless.size(), "NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','right',");
-    folder_.write("stand.step", text);
+    const std::string text = test::slurp(file_);
+    const std::regex nameless("(NEXT_ASSEMBLY_USAGE_OCCURRENCE\\('[0-9]+',)''");
+    auto it = std::sregex_iterator(text.begin(), text.end(), nameless);
+    if (it == std::sregex_iterator() || ++it == std::sregex_iterator()) return;
+    const auto at = static_cast<std::size_t>(it->position());
+    folder_.write("stand.step", text.substr(0, at) + (*it)[1].str() + "'right'" +
+                                    text.substr(at + it->str().size()));
   }
 
   std::string file_ = folder_ / "stand.step";

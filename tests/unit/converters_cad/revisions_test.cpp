@@ -9,18 +9,21 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <Standard_Version.hxx>
+#include <StepData_StepModel.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
-#include <UnitsMethods_LengthUnit.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_Location.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <gp_Ax2.hxx>
 
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -56,12 +59,15 @@ class Revised {
   }
   std::string write(const std::string& file, const char* unit = "MM") {
     shapes_->UpdateAssemblies();
-    // OCCT 7.8 takes the numbers of a document without a unit for what is asked for.
-    XCAFDoc_DocumentTool::SetLengthUnit(document_, 1, UnitsMethods_LengthUnit_Millimeter);
     Interface_Static::SetCVal("write.step.unit", unit);
     STEPCAFControl_Writer writer;
     writer.SetNameMode(Standard_True);
     writer.SetColorMode(Standard_True);
+#if OCC_VERSION_HEX >= 0x070800
+    // It names the unit that is asked for, and goes on writing millimetres.
+    Handle(StepData_StepModel)::DownCast(writer.ChangeWriter().WS()->Model())
+        ->SetWriteLengthUnit(std::string_view(unit) == "INCH" ? 25.4 : 1);
+#endif
     writer.Transfer(document_, STEPControl_AsIs);
     const bool written = writer.Write(file.c_str()) == IFSelect_RetDone;
     Interface_Static::SetCVal("write.step.unit", "MM");

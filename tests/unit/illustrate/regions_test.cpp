@@ -1,10 +1,13 @@
 /// Areas of parts, faces and steps of tone against their formulas.
 
 #include <burin/base/parallel.h>
+#include <burin/drawing/areas_at.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/section/section.h>
 
+#include "burin_test/charts.h"
 #include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
@@ -243,6 +246,43 @@ TEST(Regions, IsophotesOfAScanAreThoseOfItsShape) {
   s.style.tone.light = {0, 0, 1};
   s.style.feature.isophotes = 3;
   EXPECT_EQ(isophotes(s.draw()), 6U) << "a circle inside and one outside of the crest for each";
+}
+
+/// A ball that closes a pipe of its radius touches it in a circle. Beside that it lies within the
+/// pipe by less than facets are off, and these stand before each other in turn.
+TEST(Regions, OfSurfacesThatTouchGoByTheSurfacesThemselves) {
+  constexpr double kRadius = 5;
+  Shown s;
+  s.add(std::make_shared<ParametricForm>(
+      std::vector<std::shared_ptr<const Chart>>{test::cylinder_chart(kRadius, 25)}));
+  s.add(std::make_shared<ParametricForm>(test::six_patches(Vec3(kRadius))));
+  s.fill(2);
+  s.style.shadow.cast = true;
+  std::size_t looked = 0;
+  for (const Vec3 direction : {Vec3(1, 0.3, -0.4), Vec3(1, -0.7, -0.6), Vec3(0, -1, -0.1)}) {
+    s.direction = direction;
+    const Camera camera = s.camera();
+    const Drawing d = s.draw();
+    const AreasAt areas(d.areas, 0.03);
+    for (double angle = 0; angle < 2 * kPi; angle += 0.01) {
+      const Vec3 normal(std::cos(angle), std::sin(angle), 0);
+      if (glm::dot(normal, camera.direction()) < 0.25) continue;
+      const auto area = [&](double up) -> const Area* {
+        const Vec2 at = camera.to_paper(kRadius * normal + Vec3(0, 0, up));
+        const auto found = areas.at(at);
+        return found.empty() || areas.beside_border(at) ? nullptr : &d.areas[found.back()];
+      };
+      const Area* plain = area(5);
+      for (double up = 0.06; up < 0.5 && plain != nullptr; up += 0.03) {
+        const Area* near = area(up);
+        if (near == nullptr) continue;
+        ++looked;
+        ASSERT_EQ(near->part, 0) << up << " beside it, at " << angle;
+        ASSERT_EQ(near->tone, plain->tone) << up << " beside it, at " << angle;
+      }
+    }
+  }
+  EXPECT_GT(looked, 5000u);
 }
 
 }  // namespace
