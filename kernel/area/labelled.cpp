@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -21,6 +22,8 @@ constexpr double kLeastDivided = 0.02;
 constexpr double kShort = 1;
 /// Paper mm: in a triangle of less height three places decide, along its longest side.
 constexpr double kThin = 0.4;
+/// Thin triangles side by side that a label goes through.
+constexpr int kMostThin = 8;
 /// Halvings on the way from one node to the next: a thousandth of it.
 constexpr int kHalvings = 10;
 /// Triangles may grow in number by this factor through all rounds.
@@ -199,8 +202,8 @@ class Labeller {
       look();
     }
     LabelledMesh out;
+    out.labels = settled();
     for (std::size_t t = 0; t < found_.size(); ++t) {
-      out.labels.push_back(found_[t].label);
       if (!found_[t].mixed) continue;
       ++out.mixed;
       out.mixed_area += area_of(mesh_, t);
@@ -265,6 +268,45 @@ class Labeller {
       if (found_[static_cast<std::size_t>(beyond)].middle != found_[t].middle) return false;
     }
     return true;
+  }
+
+  /// The labels. Of a triangle so thin that even its middle is near its sides one place says
+  /// little: it takes the label of those beyond its sides without a line, if these are wider and
+  /// agree.
+  std::vector<AreaLabel> settled() const {
+    std::vector<AreaLabel> labels;
+    std::vector<std::size_t> open;
+    std::vector<bool> sure(found_.size(), true);
+    for (std::size_t t = 0; t < found_.size(); ++t) {
+      labels.push_back(found_[t].label);
+      sure[t] = inset_of(corners_of(mesh_, t), options_.slack) < 1;
+      if (!sure[t]) open.push_back(t);
+    }
+    // Of thin ones side by side the outer ones first.
+    for (int round = 0; round < kMostThin && !open.empty(); ++round) {
+      std::vector<std::pair<std::size_t, AreaLabel>> taken;
+      for (const std::size_t t : open) {
+        if (const auto label = agreed_beside(t, labels, sure)) taken.emplace_back(t, *label);
+      }
+      if (taken.empty()) break;
+      for (const auto& [t, label] : taken) labels[t] = label, sure[t] = true;
+      std::erase_if(open, [&](std::size_t t) { return sure[t]; });
+    }
+    return labels;
+  }
+
+  std::optional<AreaLabel> agreed_beside(std::size_t t, const std::vector<AreaLabel>& labels,
+                                         const std::vector<bool>& sure) const {
+    std::optional<AreaLabel> label;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t beyond = mesh_.beyond[t][i];
+      if (beyond < 0 || mesh_.constrained[t][i]) continue;
+      const auto other = static_cast<std::size_t>(beyond);
+      if (!sure[other]) continue;
+      if (label.value_or(labels[other]) != labels[other]) return std::nullopt;
+      label = labels[other];
+    }
+    return label;
   }
 
   /// Adds the borders within mixed triangles to the network; whether there are any.

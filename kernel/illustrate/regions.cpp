@@ -226,12 +226,14 @@ std::int32_t tone_at(const ProxyMesh& proxy, std::span<const Vec3> normals, cons
 }
 
 /// What is seen at a place of the sheet. All of it must outlive that.
-LabelAt region_label(const LightNormals& normals, const Occluders& occluders, const Camera& camera,
-                     const RegionOptions& options, const LightView* light) {
+LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
+                     const ExactDepths& depths, const Camera& camera, const RegionOptions& options,
+                     const LightView* light) {
   std::vector<ExactAt> places;
   for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
-  return [probe = view_probe(occluders.solid(), camera), proxies = occluders.solid_proxies(),
-          places = std::move(places), &normals, &occluders, &camera, &options, light](Vec2 at) {
+  return [probe = exact_view_probe(occluders, depths, camera), proxies = occluders.solid_proxies(),
+          places = std::move(places), &normals, &occluders, &depths, &camera, &options,
+          light](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -246,9 +248,7 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders, co
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
     label.tone = tone_at(proxy, normals[part], places[part], *hit, camera, options.tones[part]);
-    if (light && label.tone > 0 &&
-        in_shadow(occluders, {hit->part, hit->point.face}, hit->position,
-                  light->camera.direction())) {
+    if (light && label.tone > 0 && in_shadow(occluders, depths, *hit, light->camera.direction())) {
       label.tone = 0;
     }
     return label;
@@ -330,7 +330,8 @@ Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders&
   const std::vector<Curve3> silent =
       silent_lines(normals, occluders, camera, options, light, context);
   for (const Curve3& line : silent) Shown(line, probe, camera).add_to(borders);
-  const LabelAt label_at = region_label(normals, occluders, camera, options, light);
+  const ExactDepths depths(occluders);
+  const LabelAt label_at = region_label(normals, occluders, depths, camera, options, light);
   const PartitionOptions how{.least_tone_width = options.pen, .slack = kSlack};
   return partition(box, borders.get(), label_at, how, context);
 }

@@ -212,7 +212,9 @@ std::vector<Curve3> cast_shadows(const Occluders& occluders, const LightView& li
   return out;
 }
 
-bool in_shadow(const Occluders& occluders, FaceRef where, Vec3 position, Vec3 to_light) {
+bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const ViewHit& at,
+               Vec3 to_light) {
+  const FaceRef where{at.part, at.point.face};
   const ProxyMesh& proxy = *occluders.solid_proxies()[static_cast<std::size_t>(where.part)];
   const Occluder& solid = occluders.solid();
   Vec3 normal = proxy.mesh.normal(where.face);
@@ -221,8 +223,20 @@ bool in_shadow(const Occluders& occluders, FaceRef where, Vec3 position, Vec3 to
   // A triangle that is itself hardly lit, though the round surface is, stands behind others of it.
   constexpr double kGrazing = 0.05, kSquare = 0.2;
   const double doubt = 1 - smoothstep(kGrazing, kSquare, glm::dot(normal, to_light));
-  const double off = 4 * solid.resolution() + doubt * 2 * sagitta(proxy, where.face);
-  return solid.occluded(position + off * normal, to_light, 0, 2 * solid.diagonal());
+  const double step = 4 * solid.resolution();
+  const double off = step + doubt * 2 * sagitta(proxy, where.face);
+  const Vec3 from = at.position + off * normal;
+  const double far = 2 * solid.diagonal();
+  if (!depths.needed()) return solid.occluded(from, to_light, 0, far);
+  // Triangles of another part that stick out of this one, though its surface does not.
+  const double reach = std::min(depths.reach(where, to_light), far);
+  if (solid.occluded(from, to_light, reach, far)) return true;
+  return solid.occluded_by(from, to_light, 0, reach, [&](const Hit& hit) {
+    if (hit.where.part == where.part) return true;
+    const double own = depths.depth(where, at.point.bary, at.position, from, to_light);
+    return depths.depth(hit.where, hit.bary, from + hit.distance * to_light, from, to_light) >
+           own + step;
+  });
 }
 
 }  // namespace burin::detail

@@ -7,6 +7,7 @@
 #include <burin/feature/isophotes.h>
 #include <burin/visibility/occluder.h>
 
+#include "exact_places.h"
 #include "light_view.h"
 #include "occluders.h"
 
@@ -28,7 +29,9 @@ std::vector<Curve3> cast_shadows(const Occluders& occluders, const LightView& li
                                  const RunContext& context);
 
 /// Whether something stands between the light and a place of a solid part that is turned to it.
-/// Facets do not shade each other where they stand for one round surface.
-bool in_shadow(const Occluders& occluders, FaceRef where, Vec3 position, Vec3 to_light);
+/// Facets do not shade each other where they stand for one round surface, nor do those of two parts
+/// that touch, where it is the facets alone that lie before each other.
+bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const ViewHit& at,
+               Vec3 to_light);
 
 }  // namespace burin::detail
