@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 #include <type_traits>
 
 namespace burin::cli {
@@ -232,6 +233,17 @@ CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
   return options;
 }
 
+/// What is wrong with the value of a switch: CLI11 converts no others.
+std::string of_switch(const CLI::ConversionError& e) {
+  const std::string_view what = e.what(), start = "Could not convert: ", between = " = ";
+  const std::size_t at = what.find(between);
+  if (!what.starts_with(start) || at == what.npos)
+    return fmt::format("{} (see burin --help)", what);
+  return fmt::format("option {} takes no value, not '{}' (see burin --help)",
+                     what.substr(start.size(), at - start.size()),
+                     what.substr(at + between.size()));
+}
+
 }  // namespace
 
 Arguments parse_arguments(int argc, const char* const* argv) {
@@ -277,6 +289,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& e) {
     a.help = e.what();
     return a;
+  } catch (const CLI::ConversionError& e) {
+    throw UsageError(of_switch(e));
   } catch (const CLI::ParseError& e) {
     throw UsageError(std::string(e.what()) + " (see burin --help)");
   }

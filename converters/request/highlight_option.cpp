@@ -49,7 +49,8 @@ std::string in_background(const Style& whole) {
 
 /// The look of parts in a colour as it is called; empty: none is. A style that prints in a spot ink
 /// has that one for them then, more of it than elsewhere. Another colour is an ink of its own, but
-/// for greys: those are black. Lines are seen on all tones of a colour.
+/// for greys: those are black. Lines are seen on all tones of a colour. The contour has one width
+/// all round: wider against the paper, the bit of a part that stands out beyond pale ones is a blot.
 std::string highlighted(const Style& whole, const std::string& called) {
   constexpr double kLeastTint = 0.6;
   const FillOptions& fill = whole.fill;
@@ -58,7 +59,7 @@ std::string highlighted(const Style& whole, const std::string& called) {
   const std::string color =
       own_ink ? fill.color : without_name(called.empty() ? kHighlight : called);
   const Rgb rgb = rgb_of(color).value_or(Rgb{});
-  Json look = {{"fill.color", color}};
+  Json look = {{"fill.color", color}, {"line.outer", whole.line.contour}};
   std::string ink = fill.ink;
   if (!called.empty()) ink = has_ink && !is_grey(rgb) ? "Highlight " + called : "";
   look["fill.ink"] = ink;

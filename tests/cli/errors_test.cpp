@@ -35,6 +35,7 @@ TEST_F(CliErrors, UsageNamesTheNearest) {
   expect_failure(draw + "--view rear", 2, "the nearest is 'back'");
   expect_failure(draw + "--view perspective", 2, "asked for by --perspective");
   expect_failure(draw + "--views front,isometric", 2, "the nearest is 'iso'");
+  expect_failure(draw + "--legend=top-left", 2, "--legend takes no value, not 'top-left'");
   expect_failure(draw + "--look box=line.color=red", 2, "{\"line.color\": \"red\"}");
 }
 
