@@ -37,7 +37,7 @@ class Panel:
         # FreeCAD may close a panel by itself.
         self.form.destroyed.connect(lambda *_: self._close())
         self.column = QtGui.QVBoxLayout(self.form)
-        self.column.setContentsMargins(4, 4, 4, 4)
+        self.column.setContentsMargins(2, 4, 2, 4)
         self._pause = QtCore.QTimer(self.form)
         self._pause.setSingleShot(True)
         self._pause.timeout.connect(lambda: self._paused())
