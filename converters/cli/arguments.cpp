@@ -254,7 +254,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.get_formatter()->column_width(28);
   app.set_help_flag("-h,--help", "print this help");
   app.footer(
-      "\nburin COMMAND --help lists the options of a command.\n"
+      "\nburin help COMMAND lists the options of a command.\n"
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
   app.set_version_flag("--version,-V", version_text(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
@@ -279,6 +279,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
        {draw, watch, illustrate, steps, diff, convert, info, styles, options, plugins})
     sub->allow_extras();
 
+  const std::vector<const char*> words = without_help(app, argc, argv);
+  argc = static_cast<int>(words.size());
+  argv = words.data();
   const bool python = argc > 1 && (argv[1] == batch->get_name() || argv[1] == book->get_name());
   if (!python) refuse_empty_values(app, argc, argv);
   try {

@@ -15,10 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those of a build, of an installation, and of packages of Debian.
+/// Those of a build, of an installation, of packages of Debian, and of wheels (burin/bin).
 std::vector<fs::path> package_folders(const fs::path& program) {
   const fs::path prefix = program.parent_path().parent_path();
-  return {prefix / "python", prefix / BURIN_PYTHON_FOLDER, prefix / "lib/python3/dist-packages"};
+  return {prefix / "python", prefix / BURIN_PYTHON_FOLDER, prefix / "lib/python3/dist-packages",
+          prefix.parent_path()};
 }
 
 fs::path package_folder(const fs::path& program, const std::string& name) {

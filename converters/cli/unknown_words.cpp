@@ -97,6 +97,32 @@ std::string hint_for(const CLI::App& app, const std::string& name) {
   return draws ? hint_for_option(name, std::move(known), Spelling::Options) : hint(name, known);
 }
 
+std::string names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    if (!sub->get_group().empty()) names.push_back(sub->get_name());
+  }
+  return fmt::format("; the commands are {}", fmt::join(names, ", "));
+}
+
+bool is_command(const CLI::App& app, const std::string& word) {
+  const auto named = [&](const CLI::App* sub) { return sub->get_name() == word; };
+  return std::ranges::any_of(app.get_subcommands({}), named);
+}
+
+[[noreturn]] void refuse_unknown(const CLI::App& app, const std::string& word) {
+  std::vector<KnownWord> known{{"help", {"usage", "man", "manual", "examples"}}};
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    known.push_back({sub->get_name(), other_names(commands(), sub->get_name())});
+  }
+  known.push_back({"parts list",
+                   {"bom", "bill of materials", "partlist", "stueckliste"},
+                   "to make a parts list: burin draw INPUT... -o OUT --parts-list FILE.csv"});
+  const std::string near = hint(word, known);
+  throw UsageError(fmt::format("unknown command '{}'{} (see burin --help)", word,
+                               near.empty() ? names_of_commands(app) : near));
+}
+
 bool is_file(const std::string& word) {
   std::error_code error;
   return std::filesystem::is_regular_file(word, error) ||
@@ -128,8 +154,11 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
   for (const std::string& word : app.remaining()) {
     const std::string name = word.substr(0, word.find('='));
     if (name.starts_with('-')) {
-      throw UsageError(
-          fmt::format("unknown option {}{} (see {} --help)", name, hint_for(app, name), command));
+      std::string near = hint_for(app, name);
+      if (near.empty() && app.get_subcommands().empty() && !app.get_subcommands({}).empty()) {
+        near = names_of_commands(app);
+      }
+      throw UsageError(fmt::format("unknown option {}{} (see {} --help)", name, near, command));
     }
     throw UsageError(fmt::format("unexpected argument '{}' (see {} --help)", word, command));
   }
@@ -148,15 +177,19 @@ void refuse_command(const CLI::App& app) {
         fmt::format("no command before '{}'; to draw: burin draw {} (see burin --help)", word,
                     fmt::join(words, " ")));
   }
-  std::vector<KnownWord> known;
-  for (const CLI::App* sub : app.get_subcommands({})) {
-    known.push_back({sub->get_name(), other_names(commands(), sub->get_name())});
-  }
-  known.push_back({"parts list",
-                   {"bom", "bill of materials", "partlist", "stueckliste"},
-                   "to make a parts list: burin draw INPUT... -o OUT --parts-list FILE.csv"});
-  throw UsageError(
-      fmt::format("unknown command '{}'{} (see burin --help)", word, hint(word, known)));
+  refuse_unknown(app, word);
+}
+
+std::vector<const char*> without_help(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc < 2 || std::string_view(argv[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  const std::string topic = argc > 2 ? argv[2] : "help";
+  if (topic.starts_with('-')) return words;
+  if (topic != "help" && !is_command(app, topic)) refuse_unknown(app, topic);
+  words.insert(words.begin() + (topic == "help" ? 1 : 2), "--help");
+  if (topic == "help") words.resize(2);
+  return words;
 }
 
 }  // namespace burin::cli

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace burin::cli {
 
@@ -13,6 +14,10 @@ void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv)
 
 /// Throws UsageError for the first word that no option or argument took, naming the nearest.
 void refuse_extras(const CLI::App& app, const std::string& command);
+
+/// `help` and `help draw` as `--help` and `draw --help`; other words as they are. Throws UsageError
+/// where there is no such command.
+std::vector<const char*> without_help(const CLI::App& app, int argc, const char* const* argv);
 
 /// A command is missing or unknown: throws UsageError.
 [[noreturn]] void refuse_command(const CLI::App& app);

@@ -55,6 +55,27 @@ ReadResult read_one(const std::string& path, const detail::Reader& reader,
   }
 }
 
+/// What a file is called in warnings: without its folder, so that drawing files do not depend on
+/// that, unless another input has the same name.
+std::string name_in_warnings(const std::string& path, const std::vector<std::string>& paths) {
+  if (is_standard_input(path)) return "standard input";
+  const auto name = [](const std::string& p) {
+    return std::filesystem::path(p).filename().string();
+  };
+  const auto same = [&](const std::string& p) { return p != path && name(p) == name(path); };
+  return std::ranges::any_of(paths, same) ? path : name(path);
+}
+
+/// Readers know a file by its bytes, and many warnings are of layers that know no file at all.
+void add_named(const Diagnostics& found, const std::string& name, Diagnostics& all) {
+  for (Diagnostic one : found.entries()) {
+    if (one.severity != Severity::Info && one.message.find(name) == std::string::npos) {
+      one.message.insert(0, name + ": ");
+    }
+    all.add(std::move(one));
+  }
+}
+
 }  // namespace
 
 ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& options,
@@ -69,7 +90,7 @@ ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& 
     ReadResult one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
     std::ranges::move(one.scene.parts, std::back_inserter(scene.parts));
     std::ranges::move(one.marks, std::back_inserter(all.marks));
-    scene.diagnostics.append(one.scene.diagnostics);
+    add_named(one.scene.diagnostics, name_in_warnings(paths[i], paths), scene.diagnostics);
     context.progress(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   detail::name_unused(options, paths, readers, scene);

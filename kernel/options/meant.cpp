@@ -11,6 +11,10 @@ namespace {
 
 // Words of so few letters are near only what is longer.
 constexpr std::size_t kShort = 3;
+// Of so many letters one may be wrong in the thing's own name, and in what it is called elsewhere:
+// these are many, and short ones are near to anything.
+constexpr std::size_t kLettersOwn = 3;
+constexpr std::size_t kLettersOther = 5;
 
 using Tokens = std::vector<std::string>;
 
@@ -49,6 +53,7 @@ struct Compared {
   const Tokens& name;
   const std::string& word_letters;
   const std::string& name_letters;
+  bool own;
 };
 
 // How far apart they are; past `kFar`: nothing to do with each other.
@@ -62,7 +67,7 @@ std::size_t by_letters(const Compared& c) {
   const std::size_t least = std::min(c.word_letters.size(), c.name_letters.size());
   if (least < kShort || c.word_letters.size() + c.name_letters.size() == 2 * kShort) return kFar;
   const std::size_t edits = edit_distance(c.word_letters, c.name_letters);
-  return edits <= least / 3 ? edits : kFar;
+  return edits <= least / (c.own ? kLettersOwn : kLettersOther) ? edits : kFar;
 }
 
 std::size_t by_beginning(const Compared& c) {
@@ -84,6 +89,7 @@ struct Name {
   const KnownWord* of = nullptr;
   Tokens tokens;
   std::string letters;
+  bool own = true;
 };
 
 }  // namespace
@@ -91,13 +97,13 @@ struct Name {
 const KnownWord* meant(std::string_view word, std::span<const KnownWord> known) {
   std::vector<Name> names;
   for (const KnownWord& one : known) {
-    const auto add = [&](std::string_view name) {
+    const auto add = [&](std::string_view name, bool own) {
       Tokens tokens = tokens_of(name);
       std::string letters = joined(tokens);
-      names.push_back({&one, std::move(tokens), std::move(letters)});
+      names.push_back({&one, std::move(tokens), std::move(letters), own});
     };
-    add(one.name);
-    for (const std::string& other : one.also) add(other);
+    add(one.name, true);
+    for (const std::string& other : one.also) add(other, false);
   }
   const Tokens tokens = tokens_of(word);
   const std::string letters = joined(tokens);
@@ -110,7 +116,7 @@ const KnownWord* meant(std::string_view word, std::span<const KnownWord> known) 
     const KnownWord* best = nullptr;
     std::size_t least = kFar;
     for (const Name& name : names) {
-      const std::size_t apart = measure({tokens, name.tokens, letters, name.letters});
+      const std::size_t apart = measure({tokens, name.tokens, letters, name.letters, name.own});
       if (apart < least) least = apart, best = name.of;
     }
     if (best) return best;

@@ -37,5 +37,33 @@ TEST_F(DamagedFiles, AHugeWeightIsRefused) {
   expect_error("weights of control points");
 }
 
+/// One facet, and no line that ends the solid.
+std::string stl_without_end() {
+  return "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\n";
+}
+
+TEST_F(DamagedFiles, WarningsNameTheirFile) {
+  folder_.write("cut.stl", stl_without_end());
+  ASSERT_EQ(run("draw @/cut.stl @/box.off -o @/o.json"), 0) << err_;
+  EXPECT_NE(err_.find("burin: warning: cut.stl: "), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("box.off"), std::string::npos) << err_;
+  // A drawing file does not depend on the folder of its model.
+  EXPECT_NE(test::slurp(folder_ / "o.json").find("\"cut.stl: "), std::string::npos);
+}
+
+TEST_F(DamagedFiles, WarningsAboutFilesOfOneNameHaveTheFolder) {
+  std::filesystem::create_directory(folder_ / "old");
+  folder_.write("cut.stl", stl_without_end());
+  folder_.write("old/cut.stl", stl_without_end());
+  ASSERT_EQ(run("draw @/cut.stl @/old/cut.stl -o @/o.svg"), 0) << err_;
+  for (const std::string name : {"/cut.stl: ", "/old/cut.stl: "}) {
+    EXPECT_NE(err_.find("burin: warning: " + std::string(folder_.path()) + name), std::string::npos)
+        << err_;
+  }
+  ASSERT_EQ(run("draw - -o @/o.svg", "cut.stl"), 0) << err_;
+  EXPECT_NE(err_.find("burin: warning: standard input: "), std::string::npos) << err_;
+}
+
 }  // namespace
 }  // namespace burin::test

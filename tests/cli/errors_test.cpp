@@ -324,7 +324,12 @@ TEST_F(CliErrors, NothingIsSuggestedWhereNothingIsNear) {
     expect_failure(std::string("draw @/box.off -o @/a.svg ") + word, 2,
                    std::string("unknown option ") + word + " (see burin draw --help)");
   }
-  expect_failure("frobnicate @/box.off", 2, "unknown command 'frobnicate' (see burin --help)");
+  const std::string commands = "; the commands are draw, watch, illustrate, ";
+  expect_failure("frobnicate @/box.off", 2, "unknown command 'frobnicate'" + commands);
+  // "node" is another name of an option of draw.
+  expect_failure("--nope", 2, "unknown option --nope" + commands);
+  EXPECT_EQ(err_.find("--object"), std::string::npos) << err_;
+  expect_failure("help nonsense", 2, "unknown command 'nonsense'" + commands);
   expect_failure("bom @/box.off", 2, "burin draw INPUT... -o OUT --parts-list FILE.csv");
   expect_failure("draw @/box.off -o @/a.svg --set foo.bar=1", 2,
                  "unknown style key 'foo.bar' (all: burin styles --keys)");

@@ -57,5 +57,28 @@ TEST_F(CliHelp, TheManualHasTheSameOptionsInTheSameWords) {
   }
 }
 
+TEST_F(CliHelp, TheWordHelpIsTheOption) {
+  for (const std::string command : {"", "draw", "styles", "plugins"}) {
+    ASSERT_EQ(run(command + " --help"), 0) << err_;
+    const std::string wanted = out_;
+    EXPECT_GT(wanted.size(), 100U) << command;
+    ASSERT_EQ(run("help " + command), 0) << err_;
+    EXPECT_EQ(out_, wanted) << command;
+    EXPECT_TRUE(err_.empty()) << err_;
+  }
+  ASSERT_EQ(run("help help"), 0) << err_;
+  EXPECT_NE(out_.find("burin help COMMAND"), std::string::npos) << out_;
+}
+
+TEST_F(CliHelp, HelpOfNoCommandNamesTheNearest) {
+  EXPECT_EQ(run("help drow"), 2);
+  expect_error("unknown command 'drow'; the nearest is 'draw' (see burin --help)");
+  EXPECT_EQ(run("hlep"), 2);
+  expect_error("the nearest is 'help'");
+  EXPECT_EQ(run("help --view"), 2);
+  expect_error("unknown option --view; --view is an option of burin draw");
+  EXPECT_EQ(run("help draw box.off"), 0) << "as with --help";
+}
+
 }  // namespace
 }  // namespace burin

@@ -174,7 +174,7 @@ TEST_F(OpenscadInstances, HaveTheNumberThatALoopGivesThem) {
 
 TEST_F(OpenscadInstances, WhatIsFlatBesideSolidsIsTold) {
   drawing("cube([50, 20, 5]); translate([3, 3, 5]) text(\"Hello\");");
-  EXPECT_NE(err_.find("warning: 2-D objects beside solids are left out; extrude them"),
+  EXPECT_NE(err_.find("warning: m.scad: 2-D objects beside solids are left out; extrude them"),
             std::string::npos)
       << err_;
 }
@@ -232,7 +232,7 @@ TEST_F(OpenscadInstances, WhatStandsTwiceInOnePlaceCountsOnce) {
   const std::string pin = "module pin() cylinder(d = 3, h = 9);\n";
   EXPECT_EQ(items(pin + "for (a = [0:60:360]) rotate(a) translate([20, 0, 0]) pin();"),
             (Items{{"pin", 6}}));
-  EXPECT_NE(err_.find("warning: a call of pin left out: an equal one is in the same place"),
+  EXPECT_NE(err_.find("warning: m.scad: a call of pin left out: an equal one is in the same place"),
             std::string::npos)
       << err_;
   EXPECT_EQ(items(pin + "pin(); pin(); pin(); translate([9, 0, 0]) pin();"), (Items{{"pin", 2}}));

@@ -56,6 +56,23 @@ libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libburin" 
 assert len(libraries) == 3 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
 PY
 fi
+if [[ -x $scratch/pip/bin/burin ]]; then
+  # Nothing of the build, and no command that is on PATH.
+  (
+    cd "$scratch"
+    export PYTHONPATH=$scratch/pip PATH=/usr/bin:/bin
+    for command in pip/bin/burin "/usr/bin/python3 -m burin"; do
+      rm -f pip.svg
+      $command draw "$source/samples/spindle.stl" -o pip.svg --quiet && grep -q '<path' pip.svg || fail "$command does not draw"
+    done
+    status=0
+    pip/bin/burin draw nothing.stl -o pip.svg 2>pip.txt || status=$?
+    [[ $status == 3 ]] || fail "the command that pip installed hands no status on: $status"
+    pip/bin/burin batch --help | grep -q 'usage: burin batch' || fail "the command that pip installed finds no burin batch"
+  ) || exit 1
+elif [[ -d $scratch/pip ]]; then
+  fail "pip installs no command"
+fi
 for page in man/man1/burin.1.gz man/man1/burin-draw.1.gz bash-completion/completions/burin zsh/vendor-completions/_burin fish/vendor_completions.d/burin.fish; do
   [[ -s $prefix/share/$page ]] || fail "$page is not installed"
 done

@@ -47,6 +47,10 @@ PYTHONPATH=$build/python /usr/bin/python3 "$scratch/draw.py" "$scratch/out" "${m
 for svg in "$scratch"/out/*.svg; do
   cmp -s "$svg" "$root/out/$(basename "$svg")" || fail "$(basename "$svg") has other bytes"
 done
+# The command of the wheel.
+inside /empty/bin/burin draw /models/coupling.step -o /out/command.svg --quiet --style outline || fail "the command of the wheel does not draw"
+cmp -s "$root/out/command.svg" "$scratch/out/coupling.step.outline.svg" || fail "the command of the wheel draws other bytes than its module"
+inside /empty/bin/python -m burin --version | grep -q '^burin ' || fail "python -m burin does not run the command"
 [[ $(inside dpkg-query -W) == "$before" ]] || fail "a package was installed"
 # With numpy, which pip asks for; here Debian's.
 inside apt-get -qqy --no-install-recommends install python3-numpy >"$scratch/log" 2>&1 || fail "$suite has no python3-numpy"

@@ -70,6 +70,18 @@ def build(folder: pathlib.Path, where: pathlib.Path, tag: str = "") -> None:
                          "choose another folder by --config-settings build-dir=FOLDER")
 
 
+# The command `burin`. It does not import the package, which loads the kernel a second time.
+SCRIPT = """#!python
+import importlib.util
+import runpy
+
+package = importlib.util.find_spec("burin")
+if package is None or not package.submodule_search_locations:
+    raise SystemExit("burin: error: this Python has no package burin")
+runpy.run_path(package.submodule_search_locations[0] + "/__main__.py", run_name="__main__")
+"""
+
+
 class Archive(zipfile.ZipFile):
     """A zip that is written. The same files in the same order give the same bytes."""
 
@@ -115,6 +127,10 @@ def pack(top: pathlib.Path, wheel_directory: pathlib.Path, platform: str, tag: s
         for inside, data, mode in files_below(top):
             archive.add(inside, data, mode)
             listed += record(inside, data)
+        if (top / "burin/bin/burin").exists():
+            script = f"burin-{version()}.data/scripts/burin"
+            archive.add(script, SCRIPT.encode(), 0o755)
+            listed += record(script, SCRIPT.encode())
         tags = f"Wheel-Version: 1.0\nGenerator: burin {version()}\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n"
         for inside, data in (("WHEEL", tags.encode()), ("METADATA", metadata().encode()), ("LICENSE", (ROOT / "LICENSE").read_bytes())):
             archive.add(f"{info}/{inside}", data)

@@ -16,6 +16,8 @@ def export(objects, filename):
     if len(chosen) != 1:
         raise Refused("choose one illustration to export (a Burin object in the tree)")
     obj = chosen[0]
+    if not kernel.found():
+        raise Refused(f"{obj.Label}: nothing was written. {kernel.why_missing()}")
     if not illustration.settle(obj):
         raise Refused(f"{obj.Label}: {obj.Message}; nothing was written")
     if not obj.Drawing or not os.path.exists(obj.Drawing):

@@ -106,6 +106,57 @@ class Editing(support.Case):
         support.panel().reject()
         self.assertTrue(support.until(lambda: not large.isVisible()))
 
+    def page_view(self):
+        """The view of a page with the illustration."""
+        self.select(self.obj)
+        Gui.runCommand("Burin_PlaceOnPage")
+        support.settle(300)
+        window = Gui.getMainWindow().centralWidget().activeSubWindow().widget()
+        return next(area for area in window.findChildren(QtGui.QGraphicsView))
+
+    def seen(self, area):
+        return support.resting(lambda: area.mapToScene(area.viewport().rect()).boundingRect())
+
+    def narrower(self, pixels):
+        """Takes width from the windows, as panels do in some releases, by taking it from all of FreeCAD."""
+        window = Gui.getMainWindow()
+        if window.isMaximized():
+            window.showNormal()
+            window.resize(1280, 900)
+            support.settle(300)
+        window.resize(window.width() - pixels, window.height())
+
+    def test_a_page_stays_in_its_window_while_the_panel_takes_width(self):
+        self.narrower(0)
+        area = self.page_view()
+        before, width = self.seen(area), area.viewport().width()
+        self.open()
+        self.narrower(300)
+        self.assertTrue(support.until(lambda: area.viewport().width() < width - 200, 20))
+        narrow = self.seen(area)
+        self.assertTrue(narrow.adjusted(-1, -1, 1, 1).contains(before), (before, narrow))
+        self.assertLess(narrow.width(), 1.2 * before.width())
+        support.panel().accept()
+        self.narrower(-300)
+        self.assertTrue(support.until(lambda: area.viewport().width() >= width - 2, 20))
+        after = self.seen(area)
+        for got, wanted in zip((after.x(), after.y(), after.width()), (before.x(), before.y(), before.width())):
+            self.assertAlmostEqual(got, wanted, delta=0.02 * before.width())
+
+    def test_a_page_that_is_moved_while_the_panel_is_open_is_left_there(self):
+        self.narrower(0)
+        area = self.page_view()
+        self.addCleanup(self.narrower, -300)
+        self.open()
+        area.scale(4, 4)
+        area.centerOn(1000, -1000)
+        scale = area.transform().m11()
+        support.settle(50)
+        self.narrower(300)
+        support.settle(300)
+        self.assertAlmostEqual(area.transform().m11(), scale)
+        support.panel().reject()
+
     def test_what_is_quick_to_draw_is_drawn_while_the_wheel_turns(self):
         self.open()
         width = child(QtGui.QWidget, "width")

@@ -19,6 +19,7 @@ ADDON = HERE.parent.parent.parent / "freecad_wb"
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
+<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">%s</FCText></FCParamGroup>
 <FCParamGroup Name="NotificationArea"><FCBool Name="NonIntrusiveNotificationsEnabled" Value="0"/></FCParamGroup>
 <FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
 <FCParamGroup Name="OutputWindow"><FCBool Name="checkShowReportViewOnWarning" Value="0"/>
@@ -32,7 +33,7 @@ def screen():
     this root may be taken in another on the machine, and programs would come to that screen and go with it."""
     for number in random.SystemRandom().sample(range(100, 30000), 20):
         read, write = os.pipe()
-        server = subprocess.Popen(["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", "1280x900x24", "-nolisten", "tcp"],
+        server = subprocess.Popen(["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", os.environ.get("BURIN_TEST_SCREEN", "1280x900") + "x24", "-nolisten", "tcp"],
                                   pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as told:
@@ -56,7 +57,7 @@ def main():
     home = tempfile.mkdtemp(prefix="burin-freecad-")
     with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as config:
         config.write(CONFIG % (os.environ.get("BURIN_TEST_START", "BurinWorkbench"),
-                               os.environ.get("BURIN_TEST_LANGUAGE", "English")))
+                               os.environ.get("BURIN_TEST_LANGUAGE", "English"), os.environ.get("BURIN_TEST_STYLESHEET", "")))
     addon = ADDON
     if os.environ.get("BURIN_TEST_COPY"):  # apart from the build folder, where the kernel is found
         addon = os.path.join(home, "addon")

@@ -14,6 +14,7 @@ import Part
 from support import V, App, Case, content, features
 
 from freecad.burin_wb import export, kernel, worker
+from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import illustration as module
 from freecad.burin_wb.job import Brep, Job, PartJob
 
@@ -273,6 +274,12 @@ class Errors(Case):
             self.assertEqual(obj.Message, "")  # nothing changed: nothing to be told
             self.doc.Box.Length = 12
             self.refuses(obj, "The drawing kernel (the Python module 'burin') was not found", "install")
+            for one in (obj, features.make_illustration(self.doc, [self.doc.Box])):  # drawn before, and never
+                target = os.path.join(self.folder, "none.svg")
+                with self.assertRaisesRegex(Refused, "was not found"):
+                    export.export([one], target)
+                self.assertFalse(os.path.exists(target))
+            self.doc.removeObject(one.Name)
             page = self.doc.addObject("TechDraw::DrawPage", "Page")
             self.assertIn("<svg", features.place_on_page(page, obj).Symbol)
         finally:

@@ -2,6 +2,8 @@
 
 import os
 import re
+import shutil
+import subprocess
 import xml.etree.ElementTree as xml
 
 import FreeCAD
@@ -39,9 +41,39 @@ class Package(Case):
     def test_no_address_is_made_up(self):
         for _, path in self.files():
             with open(path, encoding="utf-8") as file:
-                self.assertNotIn("example.", file.read())
-            root = xml.parse(path).getroot()
-            self.assertEqual(root.findall(f".//{SPACE}url"), [])
+                text = file.read()
+            for word in ("example.", "localhost", ".invalid"):
+                self.assertNotIn(word, text)
+            kinds = {url.get("type") for url in xml.parse(path).getroot().findall(f".//{SPACE}url")}
+            self.assertIn(kinds, (set(), {"repository", "readme", "bugtracker", "documentation"}))
+
+    def test_the_addresses_of_who_publishes_it(self):
+        """freecad_wb/tools/addresses.py in a copy: FreeCAD reads what it writes, and both files still say the same."""
+        tool = os.path.join("freecad_wb", "tools", "addresses.py")
+        os.makedirs(os.path.join(self.folder, "freecad_wb", "tools"))
+        for name in ("package.xml", os.path.join("freecad_wb", "package.xml"), tool):
+            shutil.copy(os.path.join(SOURCE, name), os.path.join(self.folder, name))
+
+        def run(*words):
+            return subprocess.run(["/usr/bin/python3", os.path.join(self.folder, tool), *words], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, universal_newlines=True)
+
+        for address, page, issues in (("https://gitlab.invalid/a/burin/", "/-/blob/next/", "/-/issues"),
+                                      ("https://git.invalid/a/burin.git", "/blob/next/", "/issues")):
+            self.assertEqual(run(address, "next").stderr, "")
+            plain = re.sub(r"(/|\.git)$", "", address)
+            for folder in (self.folder, os.path.join(self.folder, "freecad_wb")):
+                data = FreeCAD.Metadata(os.path.join(folder, "package.xml"))
+                urls = {url["type"]: url["location"] for url in data.Urls}
+                self.assertEqual(urls, {"repository": plain, "readme": plain + page + "freecad_wb/docs/README.md",
+                                        "bugtracker": plain + issues, "documentation": plain + page + "kernel/docs/freecad.md"})
+                self.assertEqual(len(data.Urls), 4)  # those before are gone
+                self.assertEqual([url["branch"] for url in data.Urls if url["type"] == "repository"], ["next"])
+        for name in ("freecad_wb/docs/README.md", "kernel/docs/freecad.md"):
+            self.assertTrue(os.path.isfile(os.path.join(SOURCE, name)), name)
+        wrong = run("nowhere")
+        self.assertNotEqual(wrong.returncode, 0)
+        self.assertIn("is no address of a repository", wrong.stderr)
 
     def test_the_version_is_that_of_the_project(self):
         with open(os.path.join(SOURCE, "CMakeLists.txt"), encoding="utf-8") as file:

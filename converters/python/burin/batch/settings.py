@@ -2,6 +2,7 @@
 
 import os
 import shutil
+from pathlib import Path
 from typing import Any
 
 from .child import program_version
@@ -11,9 +12,13 @@ from .limits import TIMEOUT, memory_bytes, seconds
 from .work import Settings
 
 
+# In a wheel, whose script need not be on PATH.
+_OWN = Path(__file__).resolve().parents[1] / "bin" / "burin"
+
+
 def command_of(asked: str | None) -> str:
     """The program that draws. Throws BatchError where there is none."""
-    found = shutil.which(asked or os.environ.get("BURIN_COMMAND") or "burin")
+    found = shutil.which(asked or os.environ.get("BURIN_COMMAND") or "burin") or (None if asked else shutil.which(str(_OWN)))
     if not found:
         raise BatchError(f"{asked or 'burin'} is no command; --burin names it")
     return os.path.abspath(found)

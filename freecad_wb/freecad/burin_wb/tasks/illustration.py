@@ -101,6 +101,7 @@ class IllustrationPanel(Panel):
             self.table.horizontalHeaderItem(k).setToolTip(tip)
         self.table.verticalHeader().hide()
         header = self.table.horizontalHeader()
+        widgets.slim(header)
         header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
         self.table.setMinimumHeight(110)

@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ..qt import number
 from ..text import tr
-from ..view import scheduler
+from ..view import page_view, scheduler
 from .preview import Preview
 from .watch import Changes, Escape
 
@@ -37,12 +37,13 @@ class Panel:
         # FreeCAD may close a panel by itself.
         self.form.destroyed.connect(lambda *_: self._close())
         self.column = QtGui.QVBoxLayout(self.form)
-        self.column.setContentsMargins(4, 4, 4, 4)
+        self.column.setContentsMargins(2, 4, 2, 4)
         self._pause = QtCore.QTimer(self.form)
         self._pause.setSingleShot(True)
         self._pause.timeout.connect(lambda: self._paused())
         self._began, self._took = 0.0, float("inf")  # when the last run began, and seconds that it took
         obj.ViewObject.Proxy.step_aside(True)
+        self._pages = page_view.Kept()
         self.preview = Preview(obj)
         self.column.addWidget(self.preview)
         self._add_progress()
@@ -202,6 +203,7 @@ class Panel:
         self.preview.close_large()
         self._escape.stop()
         self._watch.stop()
+        self._pages.close()
         for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended),
                              (self.runs.left, self._left), (self.runs.undone, self._undone)):
             try:

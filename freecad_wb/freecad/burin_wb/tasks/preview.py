@@ -9,7 +9,8 @@ from .. import kernel
 from ..errors import KernelMissing
 from ..text import tr
 
-HEIGHT = 190
+# Pixels of a panel, in which a low screen leaves room for more than the preview: a quarter of its height at the most.
+HEIGHT, LEAST, SHARE = 190, 110, 4
 WIDTH = 220
 
 # Milliseconds after which a window that was made larger or smaller is painted anew.
@@ -109,15 +110,16 @@ class Preview(Picture):
     def __init__(self, obj):
         super().__init__(obj)
         self.setObjectName("preview")
-        self.setMinimumHeight(HEIGHT)
-        self.setMaximumHeight(HEIGHT)
+        screen = QtGui.QGuiApplication.primaryScreen().availableGeometry().height()
+        self._height = max(LEAST, min(HEIGHT, screen // SHARE))
+        self.setFixedHeight(self._height)
         self.setCursor(QtCore.Qt.PointingHandCursor)
         self.setToolTip(tr("The drawing as it is now; a click shows it large"))
         self.large = None
         self.renew()
 
     def _room(self):
-        return QtCore.QSize(max(self.width(), WIDTH), HEIGHT)
+        return QtCore.QSize(max(self.width(), WIDTH), self._height)
 
     def mousePressEvent(self, event):
         self.enlarge()

@@ -10,6 +10,9 @@ from ..text import tr
 from . import widgets
 from .panel import Panel
 
+# Pixels that a key stands behind its heading, and a key that has room before its value.
+INDENT, LONG = 7, "line.intersection"
+
 
 def keys(style="technical"):
     """Rows of the keys that change what is drawn, not how a format writes it; those of a style's kinds of strokes too.
@@ -73,10 +76,8 @@ class StylePanel(Panel):
             self.kinds.setItemData(k + 1, meaning, QtCore.Qt.ToolTipRole)
         added = QtGui.QHBoxLayout()
         added.addWidget(self.kinds, 1)
-        self.less = QtGui.QPushButton(tr("Take back"))
-        self.less.setObjectName("remove-strokes")
-        self.less.setToolTip(tr("Takes back the strokes that were added last, with all changes of them"))
-        self.less.clicked.connect(lambda *_: self._remove_strokes())
+        self.less = widgets.button(tr("Take back"), tr("Takes back the strokes that were added last, with all changes of them"),
+                                   self._remove_strokes, "remove-strokes")
         added.addWidget(self.less)
         self.column.addLayout(added)
         self.tree = QtGui.QTreeWidget()
@@ -84,12 +85,18 @@ class StylePanel(Panel):
         self.tree.setColumnCount(2)
         self.tree.setHeaderLabels([tr("Key"), tr("Value")])
         self.tree.setMinimumHeight(260)
-        self.tree.setIndentation(12)
+        self.tree.setIndentation(INDENT)
         self.tree.header().setStretchLastSection(False)
         self.tree.header().setSectionResizeMode(1, QtGui.QHeaderView.Stretch)
-        self.tree.setColumnWidth(0, 104)
         self.column.addWidget(self.tree, 1)
         self._fill_keys()
+        QtCore.QTimer.singleShot(0, self._make_room)  # themes have their say only when the tree is shown
+
+    def _make_room(self):
+        """The column of the keys as wide as a long one needs it."""
+        if not self.over:
+            item = self.items[LONG]
+            self.tree.setColumnWidth(0, self.tree.visualItemRect(item).x() + self.tree.sizeHintForIndex(self.tree.indexFromItem(item, 0)).width())
 
     def _added(self):
         """The headings of the kinds of strokes that the style itself has not, in their order."""

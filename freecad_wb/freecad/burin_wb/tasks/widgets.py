@@ -47,8 +47,16 @@ def quantity(value, unit, tip, changed, name, least=0.0, most=1e6):
     return still(box)
 
 
+class _Number(QtGui.QDoubleSpinBox):
+    """Without zeros at the end, for which a narrow panel has no room."""
+
+    def textFromValue(self, value):
+        text, point = super().textFromValue(value), self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+
 def number(value, tip, changed, name, least, most, decimals=3, step=0.1, unit=""):
-    box = QtGui.QDoubleSpinBox()
+    box = _Number()
     if unit:
         box.setSuffix("°" if unit == "degrees" else " " + unit)
     box.setObjectName(name)
@@ -81,7 +89,7 @@ def choice(values, chosen, tip, changed, name, texts=None):
     box.setCurrentIndex(max(0, list(values).index(chosen) if chosen in values else 0))
     box.setToolTip(tip)
     box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-    box.setMinimumContentsLength(8)
+    box.setMinimumContentsLength(6)
     box.currentIndexChanged.connect(lambda k: changed(box.itemData(k)))
     return still(box)
 
@@ -135,6 +143,12 @@ def row(column, *items):
         line.addWidget(item, 0 if k and not buttons else 1)
 
 
+def slim(header):
+    """The heads of a table without the margins that dark themes give them: a narrow panel would cut their words off."""
+    if QtGui.QApplication.instance().styleSheet():
+        header.setStyleSheet("QHeaderView::section { padding: 2px; margin: 0px; }")
+
+
 def table(heads, tips, name):
     """An empty table whose first column takes what the others leave."""
     made = QtGui.QTableWidget(0, len(heads))
@@ -145,6 +159,7 @@ def table(heads, tips, name):
     made.verticalHeader().hide()
     made.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
     header = made.horizontalHeader()
+    slim(header)
     header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
     header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
     made.setMinimumHeight(140)

@@ -81,7 +81,7 @@ void check_inputs(const std::vector<std::string>& paths);
 /// Reads each file by the reader of its format (known by its content where that is clear, else by
 /// its suffix); "-" is standard input, and what gzip packed is unpacked; the parts of all of them,
 /// in order, and the diagnostic "option.unused" for each option that was given and concerns none of
-/// them. Stage "read". Throws InputError.
+/// them. Warnings of a reader begin with the name of their file. Stage "read". Throws InputError.
 ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& options,
                       RunContext& context);
 /// The same without what the files ask of their drawing.

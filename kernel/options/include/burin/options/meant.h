@@ -20,9 +20,9 @@ struct KnownWord {
 
 /// The thing that a word means: one whose name or other name it is, whatever its case, the signs
 /// between its words and an s at its end; else one that differs by at most a third of its letters
-/// or that it begins; else one whose name it begins or ends with ("section-plane" means "section").
-/// The first of several. Null where nothing is near. Time: letters of the word times those of all
-/// names.
+/// (a fifth of those of an other name) or that it begins; else one whose name it begins or ends
+/// with ("section-plane" means "section"). The first of several. Null where nothing is near. Time:
+/// letters of the word times those of all names.
 const KnownWord* meant(std::string_view word, std::span<const KnownWord> known);
 
 /// "; the nearest is 'view'", or what the thing meant says of itself after "; "; empty where
