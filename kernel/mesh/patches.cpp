@@ -5,6 +5,7 @@
 #include "build_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
@@ -20,6 +21,8 @@ constexpr double kRounding = 1e-7;
 constexpr double kWide = 2.5, kWideOfOne = 12;
 /// Curvatures that differ by less than this factor belong to one curved face.
 constexpr double kAlike = 2.5;
+/// So many edges of a patch that say nothing of it are like those before and behind them.
+constexpr std::size_t kMostBetween = 2;
 
 class PatchFinder {
  public:
@@ -199,12 +202,19 @@ class PatchFinder {
     return !(alike(wide) && alike(narrow));
   }
 
-  void find_straight(PlanarPatches& result) const {
-    result.straight.assign(proxy_.edge_kind.size(), 0);
+  /// Whether a patch may run straight up to `h`: it is far larger than what lies beyond.
+  bool may_run_straight(const PlanarPatches& patches, HalfEdge h) const {
+    if (proxy_.edge_kind[static_cast<std::size_t>(h)] != EdgeKind::Smooth) return false;
     const auto area_at = [&](std::uint32_t f) {
-      const std::int32_t p = result.of_face[f];
+      const std::int32_t p = patches.of_face[f];
       return p < 0 ? proxy_.mesh.area(f) : area_[static_cast<std::size_t>(p)];
     };
+    const HalfEdge o = opposite(h);
+    return !same_patch(patches, h, o) && area_at(face_of(h)) >= kWide * area_at(face_of(o));
+  }
+
+  void find_straight(PlanarPatches& result) const {
+    result.straight.assign(proxy_.edge_kind.size(), 0);
     parallel_for(
         candidates_.size(), kFaceGrain,
         [&](std::size_t begin, std::size_t end) {
@@ -212,14 +222,48 @@ class PatchFinder {
             const std::uint32_t f = candidates_[i];
             if (result.of_face[f] < 0) continue;
             for (HalfEdge h = static_cast<HalfEdge>(3 * f); face_of(h) == f; ++h) {
-              if (proxy_.edge_kind[static_cast<std::size_t>(h)] != EdgeKind::Smooth) continue;
-              const HalfEdge o = opposite(h);
-              if (same_patch(result, h, o) || area_at(f) < kWide * area_at(face_of(o))) continue;
+              if (!may_run_straight(result, h)) continue;
               result.straight[static_cast<std::size_t>(h)] = runs_straight(result, h);
             }
           }
         },
         &context_);
+    fill_straight(result);
+  }
+
+  /// The edge that follows on the border of the patch of `h`, or kNoHalfEdge.
+  HalfEdge next_on_border(const PlanarPatches& patches, HalfEdge h) const {
+    HalfEdge next = next_in_face(h);
+    for (;;) {
+      const HalfEdge o = opposite(next);
+      if (o == kNoHalfEdge || !same_patch(patches, next, o)) return next;
+      next = next_in_face(o);
+      if (next == h) return kNoHalfEdge;  // an end of a slit
+    }
+  }
+
+  /// What a flat face does before and behind a place of its border it does there too, where it is
+  /// narrow or the triangles beyond do not tell.
+  void fill_straight(PlanarPatches& result) const {
+    std::vector<HalfEdge> filled;
+    for (const std::uint32_t f : candidates_) {
+      if (result.of_face[f] < 0) continue;
+      for (HalfEdge h = static_cast<HalfEdge>(3 * f); face_of(h) == f; ++h) {
+        if (!result.straight[static_cast<std::size_t>(h)]) continue;
+        std::array<HalfEdge, kMostBetween> between;
+        std::size_t count = 0;
+        for (HalfEdge e = next_on_border(result, h); e != kNoHalfEdge;
+             e = next_on_border(result, e)) {
+          if (result.straight[static_cast<std::size_t>(e)]) {
+            filled.insert(filled.end(), between.begin(), between.begin() + count);
+            break;
+          }
+          if (count == between.size() || !may_run_straight(result, e)) break;
+          between[count++] = e;
+        }
+      }
+    }
+    for (const HalfEdge h : filled) result.straight[static_cast<std::size_t>(h)] = 1;
   }
 
   const ProxyMesh& proxy_;

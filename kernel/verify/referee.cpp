@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -34,6 +35,8 @@ constexpr double kFineShare = 0.4;
 constexpr double kSquarely = 3;
 // Of the radius, beside a contour: what the fine facets may be off its line.
 constexpr double kClosely = 0.25;
+// Of the radius, beside a border of a sheet that is seen from its edge.
+constexpr double kBeside = 0.75;
 // Times the radius, where facets may lie that far from the line that is drawn round.
 constexpr double kWidest = 8;
 
@@ -283,24 +286,30 @@ bool Referee::behind_another(const Point& p, Fold fold) const {
 }
 
 // Whether any sheet, however deep in the picture, passes the point in space: within the radius and
-// the slack, or within twice what its triangle may lie beside what it stands for.
+// the slack, or within twice what its triangle may lie beside what it stands for. A sheet that is
+// seen from its edge meets no ray along the view, and its border any ray only from beside.
 bool Referee::surface_near(const Point& p) const {
   const double near = (options_.radius + options_.slack) / p.scale;
-  const auto meets = [&](Vec3 direction) {
+  const auto meets = [&](Vec3 from, Vec3 direction) {
     return occluder_->occluded_by(
-        p.model, direction, 0, kWidest * options_.radius / p.scale, [&](const Hit& hit) {
+        from, direction, 0, kWidest * options_.radius / p.scale, [&](const Hit& hit) {
           if (hit.distance <= near) return true;
           const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(hit.where.part)];
           return proxy.tolerance <= 0 && hit.distance <= 2 * chord_error(proxy, hit.where.face);
         });
   };
   const Vec3 view = camera_.to_viewer(p.model);
-  if (meets(view) || meets(-view)) return true;
+  std::vector<Vec3> ways{view, -view};
   for (int i = 0; i < kDirections; ++i) {
     const Vec2 a = around(i, kDirections);
-    if (meets(a.x * camera_.right() + a.y * camera_.up())) return true;
+    ways.push_back(a.x * camera_.right() + a.y * camera_.up());
   }
-  return false;
+  const auto meets_any = [&](Vec3 from) {
+    return std::ranges::any_of(ways, [&](Vec3 way) { return meets(from, way); });
+  };
+  const double beside = kBeside * options_.radius / p.scale;
+  return meets_any(p.model) ||
+         std::ranges::any_of(ways, [&](Vec3 way) { return meets_any(p.model + beside * way); });
 }
 
 Finding Referee::test_visible(const Point& p) const {

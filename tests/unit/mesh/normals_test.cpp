@@ -74,6 +74,28 @@ TEST(Normals, OfTheFlatFacesOfARoundedBoxAreTheirsInTheirCornersToo) {
   }
 }
 
+// A round boss on a plate that is only 3 mm wider than its fillet, which has facets of 1.5 mm.
+// There width does not tell the plate from the fillet; before and behind it does.
+TEST(Normals, OfAFlatFaceAreItsOwnWhereItIsNarrowToo) {
+  constexpr std::uint32_t kSides = 24, kRim = 1;
+  constexpr double kBoss = 23, kFillet = 3;
+  for (const double half : {29.0, 40.0}) {
+    const TriMesh mesh = test::grid(kSides, 6, true, false, [&](std::uint32_t i, std::uint32_t j) {
+      const double u = 2 * test::kPi * i / kSides, v = (j - kRim) * test::kPi / 6;
+      const Vec3 out(std::cos(u), std::sin(u), 0);
+      if (j < kRim) return std::min(40 / std::abs(out.x), half / std::abs(out.y)) * out;
+      if (j == 5) return kBoss * out + Vec3(0, 0, 10);
+      return (kBoss + kFillet * (1 - std::sin(v))) * out + Vec3(0, 0, kFillet * (1 - std::cos(v)));
+    });
+    const ProxyMesh proxy = proxy_of(mesh);
+    for (std::uint32_t w = 0; w < proxy.wedge_vertex.size(); ++w) {
+      const Vec3 p = proxy.wedge_position(w);
+      if (p.z > 0) continue;
+      EXPECT_EQ(proxy.wedge_normal[w], Vec3(0, 0, 1)) << half << ' ' << p.x << ' ' << p.y;
+    }
+  }
+}
+
 TEST(Normals, OfAFilletedRimFollowCapFilletAndSide) {
   const test::CadShape shape = test::turned(20, 1, 15, 64, 6);
   const ProxyMesh proxy = proxy_of(shape.mesh);

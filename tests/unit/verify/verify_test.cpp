@@ -167,6 +167,32 @@ TEST(Verify, TellsALineWhereNoSurfaceIs) {
   for (const Contradiction& c : v.result.contradictions) EXPECT_EQ(c.what, "adrift");
 }
 
+// A flat sheet that is seen from its edge meets no ray of the viewer.
+TEST(Verify, ALineOfASheetSeenFromItsEdgeHolds) {
+  Scene scene;
+  scene.parts.push_back({"sheet", "sheet",
+                         std::make_shared<MeshForm>(
+                             test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) {
+                               return Vec3(10.0 * i - 20, 10.0 * j, 0);
+                             }))});
+  scene.parts.push_back(
+      {"box", "box", std::make_shared<MeshForm>(test::box({-20, 0, 5}, {20, 40, 20}))});
+  const Camera camera = camera_of(scene);
+  const auto count = [&](double z) {
+    RunContext context;
+    Diagnostics diagnostics;
+    // Its border, as much off it as lines are that are drawn round, and within it.
+    const double off = 0.02 / camera.scale();
+    const std::vector<Path> lines{line({-19, -off, z}, {19, -off, z}, true),
+                                  line({-19, 20, z}, {19, 20, z}, true)};
+    return verify({}, lines, scene, camera, {.tolerance = 0.05 / camera.scale(), .outline = false},
+                  diagnostics, context)
+        .count;
+  };
+  EXPECT_EQ(count(0), 0);
+  EXPECT_EQ(count(-0.5 / camera.scale()), 2);  // beside the sheet is nothing
+}
+
 TEST(Verify, WhatIsShorterThanHalfAMillimetreIsNoContradiction) {
   const double s = scale();
   const auto into_the_shade = [&](double paper_mm) {
