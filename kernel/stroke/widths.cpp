@@ -224,6 +224,7 @@ class WidthSolver {
     const auto length = [&](StrokeEnd e, const StrokeSample& last) {
       switch (e) {
         case StrokeEnd::Crowded:
+        case StrokeEnd::Tip:
           return std::min(longest, kBlunt);
         case StrokeEnd::Light:
           return last.weight < kFaded ? std::min(longest, kBlunt) : longest;
