@@ -23,6 +23,7 @@ constexpr double kThinnest = 0.02;  // paper mm
 constexpr double kFullest = 0.75;
 constexpr double kFaded = 0.3;      // weight under which a line needs no taper
 constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
+constexpr double kTip = 0.8;        // ... where they close up behind it
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
 
 // A stroke that ends in the light is the fainter the nearer it is to the style's shortest, and
@@ -224,8 +225,9 @@ class WidthSolver {
     const auto length = [&](StrokeEnd e, const StrokeSample& last) {
       switch (e) {
         case StrokeEnd::Crowded:
-        case StrokeEnd::Tip:
           return std::min(longest, kBlunt);
+        case StrokeEnd::Tip:
+          return std::min(longest, kTip);
         case StrokeEnd::Light:
           return last.weight < kFaded ? std::min(longest, kBlunt) : longest;
         case StrokeEnd::Singular:
