@@ -3,6 +3,7 @@
 #include "tracer.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace burin::detail {
@@ -125,6 +126,32 @@ Vec3 steer(const Picture& picture, std::int32_t part, const StrokeSample& at, Ve
   }
   const Vec3 field = shown.turned(-heading.off / kTurnOver);
   return normalize_or(trust * along + (1 - trust) * field, tangent);
+}
+
+std::optional<Vec2> border_normal(const Picture& picture, const TracedStroke& stroke, bool begin) {
+  const StrokeEnd reason = begin ? stroke.begin_reason : stroke.end_reason;
+  const StrokeSample& at = begin ? stroke.samples.front() : stroke.samples.back();
+  const Camera& camera = picture.camera;
+  const auto unit = [](Vec2 v) {
+    const double n = glm::length(v);
+    return n > 0 ? std::optional(v / n) : std::nullopt;
+  };
+  if (reason == StrokeEnd::Away) return unit(camera.velocity(at.point.position, at.normal));
+  if (reason != StrokeEnd::Edge) return std::nullopt;
+  const ProxyMesh& proxy = picture.surface(stroke.part).proxy();
+  const Triangle& corners = proxy.mesh.triangles[at.face];
+  std::optional<Vec2> found;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (proxy.edge_kind[3 * std::size_t{at.face} + k] == EdgeKind::Smooth) continue;
+    const Vec2 a = camera.to_paper(proxy.mesh.positions[corners[k]]),
+               b = camera.to_paper(proxy.mesh.positions[corners[(k + 1) % 3]]);
+    const auto across = unit({a.y - b.y, b.x - a.x});
+    if (!across) continue;
+    const double off = std::abs(glm::dot(*across, at.paper - a));
+    if (off < least) least = off, found = across;
+  }
+  return found;
 }
 
 }  // namespace burin::detail

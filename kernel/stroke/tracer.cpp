@@ -295,6 +295,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
                    : unseen + std::max(ds, 0.1 * kStep);
     }
     next.visible = unseen == 0;
+    next.gap = heading.gap;
     unseen_once |= !next.visible;
     if (unseen > kHiddenReach) return StrokeEnd::Hidden;
     if (guide) {

@@ -30,6 +30,7 @@ struct StrokeSample {
   double facing = 0;  // cosine between the normal turned to the viewer and the view
   double darkness = 0;
   double weight = 1;       // as in GridSample
+  double gap = 0;          // paper mm to where the next line would be; 0: not known
   std::uint32_t face = 0;  // of the proxy
   FaceKind kind = FaceKind::Freeform;
   bool bent = true;  // curvature is known and not zero
@@ -56,6 +57,10 @@ struct TracedStroke {
 
   double length() const;  // on paper
 };
+
+/// The unit normal on paper of what a stroke ends at, at its first sample or at its last: a
+/// contour, or the crease or boundary nearest to it; none where it ends for another reason.
+std::optional<Vec2> border_normal(const Picture& picture, const TracedStroke& stroke, bool begin);
 
 /// Fills in what a surface point says of itself; no tangent and no direction.
 void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,

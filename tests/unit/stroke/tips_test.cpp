@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -67,6 +68,32 @@ TEST(Tips, LeaveNoHolesBeforeThem) {
   EXPECT_LT(holes[holes.size() / 2], 1.1);  // 1.23 where each went on for 0.7 mm and no more
   EXPECT_LT(holes.back(), 1.5);             // 1.59
   EXPECT_GT(holes.front(), 0.5);            // nor do they run into the next ones
+}
+
+// Wide strokes that run into the upper border of a face at 12 degrees: their corners stay inside.
+TEST(Tips, AreNoTeethAlongABorder) {
+  constexpr double kHigh = 40, kSlant = 12 * std::numbers::pi / 180;
+  Stage stage(test::box({0, 0, 0}, {60, 5, kHigh}), "front", 1);
+  const Vec3 along(std::cos(kSlant), 0, std::sin(kSlant));
+  const StrokeResult r = stage.strokes(field::fixed(along), 0.4, kOneFamily);
+  std::size_t ends = 0;
+  for (const Curve3& c : r.strokes) {
+    for (const bool begin : {true, false}) {
+      const Vec3 p = begin ? c.points.front() : c.points.back();
+      if (p.z < kHigh - 0.01 || p.x > 50) continue;
+      ++ends;
+      const double middle = c.widths[c.widths.size() / 2];
+      EXPECT_GT(middle, 0.45);
+      double above = 0, inside = 0;  // of corners; the widest near the end
+      for (std::size_t i = 0; i < c.points.size(); ++i) {
+        above = std::max(above, c.points[i].z + 0.5 * c.widths[i] * std::cos(kSlant) - kHigh);
+        if (c.points[i].z < kHigh - 0.5) inside = std::max(inside, c.widths[i]);
+      }
+      EXPECT_LT(above, 0.07);  // 0.24 where each was cut square
+      EXPECT_GT(inside, 0.45);
+    }
+  }
+  EXPECT_GT(ends, 5U);
 }
 
 // The places of neighbours are out of step by up to half a step, which is as much as lines near a
