@@ -5,6 +5,8 @@
 
 namespace burin::detail {
 
+struct StrokeSample;
+
 /// Goes along a level line with a stroke, one way.
 class Guide {
  public:
@@ -33,5 +35,15 @@ class Guide {
   std::size_t at_;
   int way_;
 };
+
+/// The tangent (model space) with which a stroke goes on that is to keep to its level line, where
+/// the field says `tangent`: that, turned a little, where the field is exact, the surface flat or
+/// seen at a slant; else along the line.
+Vec3 steer(const Picture& picture, std::int32_t part, const StrokeSample& at, Vec3 tangent,
+           const Guide::Heading& heading);
+
+/// The tangent of a stroke that is to be `left` paper mm further to the left soon, turned no
+/// more than strokes turn off an exact field.
+Vec3 turned_by(const Picture& picture, const StrokeSample& at, double left);
 
 }  // namespace burin::detail

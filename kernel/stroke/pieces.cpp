@@ -120,6 +120,31 @@ std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int f
 
 }  // namespace
 
+std::vector<Piece> left_of(const Piece& piece, std::size_t before, std::size_t after) {
+  constexpr double kLeast = 2;  // gaps
+  std::vector<Piece> out;
+  const auto rest = [&](std::size_t a, std::size_t b) {
+    if (b < a + 4) return;
+    const auto cut = [&](const auto& from) {
+      return std::decay_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(a),
+                                          from.begin() + static_cast<std::ptrdiff_t>(b));
+    };
+    Piece r{{}, piece.part, piece.region, piece.fading};
+    r.line.points = cut(piece.line.points);
+    r.line.gaps = cut(piece.line.gaps);
+    r.line.node = piece.line.node;
+    r.line.number = piece.line.number;
+    r.line.beside_end = piece.line.beside_end;
+    r.line.begin_inside = a > 0 || piece.line.begin_inside;
+    r.line.end_inside = b < piece.line.points.size() || piece.line.end_inside;
+    r.length = r.line.length();
+    if (r.length > kLeast * r.line.gaps.front()) out.push_back(std::move(r));
+  };
+  rest(0, before);
+  rest(after + 1, piece.line.points.size());
+  return out;
+}
+
 std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
                                const std::vector<CellLine>& lines, int family) {
   const Fading fading(picture, family);

@@ -29,6 +29,9 @@ struct Piece {
   double length = 0;
 };
 
+/// What is left of a piece before one of its points and after another, where that is a line.
+std::vector<Piece> left_of(const Piece& piece, std::size_t before, std::size_t after);
+
 /// The pieces of one smooth region and the box that they take.
 struct Region {
   std::vector<Piece> pieces;

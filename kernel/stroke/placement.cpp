@@ -74,10 +74,41 @@ class Placement {
         queue.push(pieces.size() - 1);
       }
     }
+    for (const Tip& tip : tips_) close(tip);
     return std::move(out_);
   }
 
  private:
+  // An end of a stroke inside the surface.
+  struct Tip {
+    std::size_t stroke = 0;
+    bool begin = false;
+    double gap = 0;
+    FadingRange fading;
+  };
+
+  // Draws a tip on into the wedge between its neighbours, now that all of them are there.
+  void close(const Tip& tip) {
+    TracedStroke& stroke = out_.strokes[tip.stroke];
+    const auto number = static_cast<std::int32_t>(tip.stroke);
+    const auto turn_round = [](StrokeSample& s) {
+      s.tangent = -s.tangent;
+      s.direction = -s.direction;
+    };
+    StrokeSample last = tip.begin ? stroke.samples.front() : stroke.samples.back();
+    if (tip.begin) turn_round(last);
+    std::vector<StrokeSample> more =
+        tracer_.wedge(stroke, last, tip.gap, tip.fading.least, out_.grid, number);
+    for (StrokeSample& s : more) {
+      s.weight = tip.fading.weight(picture_.share(s.darkness, family_));
+      if (tip.begin) turn_round(s);
+      out_.grid.insert(grid_sample(s, stroke.part, number));
+    }
+    if (tip.begin) std::ranges::reverse(more);
+    stroke.samples.insert(tip.begin ? stroke.samples.begin() : stroke.samples.end(), more.begin(),
+                          more.end());
+  }
+
   // Draws a piece, or as much of it as one stroke follows; what is left.
   std::vector<Piece> draw(const Piece& piece) {
     const LevelLine& line = piece.line;
@@ -105,7 +136,14 @@ class Placement {
     for (StrokeSample& s : stroke.samples) {
       s.weight = piece.fading.weight(picture_.share(s.darkness, family_));
     }
-    insert_visible(out_.grid, stroke, static_cast<std::int32_t>(out_.strokes.size()));
+    const std::size_t number = out_.strokes.size();
+    if (stroke.begin_reason == StrokeEnd::Tip) {
+      tips_.push_back({number, true, line.gaps.front(), piece.fading});
+    }
+    if (stroke.end_reason == StrokeEnd::Tip) {
+      tips_.push_back({number, false, line.gaps.back(), piece.fading});
+    }
+    insert_visible(out_.grid, stroke, static_cast<std::int32_t>(number));
     out_.strokes.push_back(std::move(stroke));
     return left;
   }
@@ -183,35 +221,10 @@ class Placement {
            length >= std::min(gap, picture_.options.spacing_min);
   }
 
-  // What is left of a piece before one of its points and after another.
-  static std::vector<Piece> left_of(const Piece& piece, std::size_t before, std::size_t after) {
-    constexpr double kLeast = 2;  // gaps
-    std::vector<Piece> out;
-    const auto rest = [&](std::size_t a, std::size_t b) {
-      if (b < a + 4) return;
-      const auto cut = [&](const auto& from) {
-        return std::decay_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(a),
-                                            from.begin() + static_cast<std::ptrdiff_t>(b));
-      };
-      Piece r{{}, piece.part, piece.region, piece.fading};
-      r.line.points = cut(piece.line.points);
-      r.line.gaps = cut(piece.line.gaps);
-      r.line.node = piece.line.node;
-      r.line.number = piece.line.number;
-      r.line.beside_end = piece.line.beside_end;
-      r.line.begin_inside = a > 0 || piece.line.begin_inside;
-      r.line.end_inside = b < piece.line.points.size() || piece.line.end_inside;
-      r.length = r.line.length();
-      if (r.length > kLeast * r.line.gaps.front()) out.push_back(std::move(r));
-    };
-    rest(0, before);
-    rest(after + 1, piece.line.points.size());
-    return out;
-  }
-
   const Picture& picture_;
   int family_;
   Tracer tracer_;
+  std::vector<Tip> tips_;
   Family out_;
 };
 

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace burin::detail {
+namespace {
+
+// Cosine: where families meet, lines run up to those of the other one.
+constexpr double kSameWay = 0.7;
+
+}  // namespace
 
 bool same_sheet(const GridSample& a, const GridSample& b) {
   // The sheet bends between the two: twice the larger slope leaves room for that. And two samples
@@ -51,8 +57,6 @@ void SampleGrid::visit(const GridSample& at, double radius, const Visit& f) cons
 }
 
 double SampleGrid::nearest(const GridSample& at, double radius) const {
-  // Where families meet, lines run up to those of the other one.
-  constexpr double kSameWay = 0.7;  // cosine
   const bool line = at.direction != Vec2(0);
   double best = radius;
   visit(at, radius, [&](const GridSample& s) {
@@ -74,8 +78,10 @@ SampleGrid::Sides SampleGrid::sides(const GridSample& at, double radius) const {
     if (s.stroke == at.stroke) return;
     const Vec2 d = s.paper - at.paper;
     const double across = cross2(at.direction, d), along = glm::dot(at.direction, d);
-    // Neighbours beside the place, not before or behind it.
-    if (std::abs(along) > 0.7 * std::abs(across)) return;
+    // Neighbours beside the place, not before or behind it. A sample of a line that runs the same
+    // way stands for its piece of it: else, of near lines out of step, the next but one is found.
+    const bool same_way = std::abs(glm::dot(at.direction, s.direction)) > kSameWay;
+    if (std::abs(along) > std::max(0.7 * std::abs(across), same_way ? s.pace : 0)) return;
     double& side = across > 0 ? out.left : out.right;
     if (!(std::abs(across) < side && same_sheet(at, s))) return;
     side = std::abs(across);

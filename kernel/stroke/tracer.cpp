@@ -20,24 +20,14 @@ constexpr double kMostOff = 0.25;      // of a step that a stroke may be off its
 constexpr double kLeastOff = 1e-4;     // ... that it is left off
 constexpr int kMaxSamples = 20000;     // a bound where length_max is set absurdly high
 
-// A stroke on an exact form turns off the field by no more than this to keep to its level line; on
-// a face of which everybody knows how lines run, only where it would be lost.
-constexpr double kMostTurn = 6 * std::numbers::pi / 180;
-constexpr double kFree = 0.2;  // gaps that it may be off there
-// Cosines: where a surface is slanted more than the first a level line says nothing of the way on
-// it (a hair on paper is many degrees there), and all where it is seen squarer than the second.
-constexpr double kSlanted = 0.2, kSquare = 0.5;
-// Gaps off its level line from which on a stroke turns back to it all the same.
-constexpr double kNearlyLost = 0.3;
-constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
-constexpr double kCloseOver = 3;    // ... where it is to fill the place of one that ended
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
-// ... and seen beyond one that ends inside the surface: into the wedge that its neighbours leave.
-constexpr double kInto = 0.7;
 // Gaps that it keeps from its neighbours there, and on its way to where the surface turns away.
 constexpr double kApart = 0.55, kTurningApart = 0.25;
-constexpr double kTurning = 0.35;      // cosine
+constexpr double kTurning = 0.35;  // cosine
+// Gaps between the neighbours of a tip up to which it goes on into their wedge, how far at the
+// most, and how near to one of them. Lines that do not swell would be too dark there: paper mm.
+constexpr double kClosed = 2 * kApart, kDeepest = 5, kTouching = 0.4, kDeepestStiff = 0.7;
 constexpr double kSameFacing = 0.001;  // ... by which it may rise on the way to a contour
 
 // Model mm along a stroke that show as so many on paper.
@@ -182,36 +172,6 @@ void Tracer::aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, doub
   step = best;
 }
 
-// The direction in which a stroke goes on that keeps to its level line: as the field has it, turned
-// a little, where the field is exact, the surface flat or seen at a slant; else along the line.
-Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
-                   const Guide::Heading& heading) const {
-  const Camera& camera = picture_.camera;
-  const Vec3 left = glm::cross(at.normal, tangent);
-  const Vec2 t = camera.velocity(at.point.position, tangent),
-             b = camera.velocity(at.point.position, left);
-  const double area = cross2(t, b);
-  const auto turned = [&](double free) {
-    const double off = heading.off - std::clamp(heading.off, -free, free);
-    const double closing = heading.beside_end * (heading.off - off) / kCloseOver;
-    const double turn = std::clamp(-off / kTurnOver - closing, -kMostTurn, kMostTurn);
-    return std::cos(turn) * tangent + (area < 0 ? -1.0 : 1.0) * std::sin(turn) * left;
-  };
-  if (picture_.surface(part).exact() || !at.bent) {
-    return turned(ruled(at.kind) || !at.bent ? kFree * heading.gap : 0);
-  }
-  const double scale = camera.scale_at(at.point.position);
-  const double lost =
-      (std::abs(heading.off) / heading.gap - kNearlyLost) / (kMostDrift - kNearlyLost);
-  const double trust =
-      std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0);
-  if (trust == 0 || std::abs(area) < kMinFacing * scale * scale) return turned(0);
-  // tangent and left in the shares that show as the direction ahead
-  const Vec3 along =
-      cross2(heading.ahead, b) / area * tangent + cross2(t, heading.ahead) / area * left;
-  return normalize_or(trust * normalize_or(along, tangent) + (1 - trust) * turned(0), tangent);
-}
-
 // A stroke that went on unseen and did not come out again ends behind what hides it.
 StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
                          std::optional<double> level, double sign,
@@ -284,8 +244,10 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     // Where a surface turns away, gaps shrink until any line is lost.
     const bool lost = guided && !level && std::abs(heading.off) > kMostDrift * heading.gap;
     if (lost && at.facing > kTurning) return StrokeEnd::Crowded;
+    const bool tip = guide && heading.past && heading.inside;
+    if (tip && picture_.swells()) return StrokeEnd::Tip;
     const bool steered = guided && !level && !lost;
-    if (steered) tangent = steer(part, at, tangent, heading);
+    if (steered) tangent = steer(picture_, part, at, tangent, heading);
     MarchStep step = surface.march(at.point, tangent, length);
     if (level && step.stop == MarchStop::Completed && !keep_level(part, *level, length, step)) {
       return StrokeEnd::Singular;
@@ -333,10 +295,11 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
                    : unseen + std::max(ds, 0.1 * kStep);
     }
     next.visible = unseen == 0;
+    next.gap = heading.gap;
     unseen_once |= !next.visible;
     if (unseen > kHiddenReach) return StrokeEnd::Hidden;
     if (guide) {
-      if (heading.past && heading.inside && unguided > kInto) return StrokeEnd::Crowded;
+      if (tip && unguided > kDeepestStiff) return StrokeEnd::Crowded;
       unguided = heading.past || lost ? unguided + ds : 0;
       if (unguided > 0 && next.visible) {
         // Its line went on, as far as is known, beside a border that the cells show as stairs.
@@ -369,6 +332,39 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     at = next;
   }
   return StrokeEnd::Length;
+}
+
+std::vector<StrokeSample> Tracer::wedge(const TracedStroke& stroke, StrokeSample tip, double gap,
+                                        double least_ink, const SampleGrid& neighbours,
+                                        std::int32_t number) const {
+  const std::int32_t part = stroke.part;
+  const Surface& surface = picture_.surface(part);
+  const double none = kClosed * 1.5 * gap;  // farther off a line is no neighbour
+  std::vector<StrokeSample> out;
+  for (double travelled = 0; travelled < kDeepest * gap; travelled += 0.5 * kStep) {
+    const SampleGrid::Sides to = neighbours.sides(grid_sample(tip, part, number), none);
+    if (to.left >= none || to.right >= none || to.left + to.right < kClosed * gap ||
+        std::min(to.left, to.right) < kTouching * gap) {
+      break;
+    }
+    const double aside = stroke.level ? 0 : 0.5 * (to.left - to.right);
+    const double length = length_of(picture_.camera, tip, 0.5 * kStep);
+    MarchStep step = surface.march(tip.point, turned_by(picture_, tip, aside), length);
+    if (stroke.level && step.stop == MarchStop::Completed &&
+        !keep_level(part, *stroke.level, length, step)) {
+      break;
+    }
+    StrokeSample next;
+    if (step.stop != MarchStop::Completed || !fill(part, step.end, step.direction, next)) break;
+    if (!next.own || !may_begin(picture_, next) || next.region != tip.region ||
+        picture_.share(next.darkness, family_) < least_ink ||
+        !picture_.seen(part, next.face, next.paper, next.depth)) {
+      break;
+    }
+    out.push_back(next);
+    tip = next;
+  }
+  return out;
 }
 
 TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed,

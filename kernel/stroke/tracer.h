@@ -13,9 +13,10 @@ namespace burin::detail {
 constexpr double kStep = 0.4;
 
 /// Why a stroke ends; decides how its end is shaped. Edge: a crease or boundary; Away: the surface
-/// turns away from the viewer; Crowded: its neighbours need no line between them any more; Met: the
-/// strokes of another family cross its way.
-enum class StrokeEnd { Edge, Away, Hidden, Light, Crowded, Met, Singular, Length, Closed };
+/// turns away from the viewer; Crowded: its neighbours need no line between them any more; Tip: its
+/// level line ends inside the surface, and its neighbours close up; Met: the strokes of another
+/// family cross its way.
+enum class StrokeEnd { Edge, Away, Hidden, Light, Crowded, Tip, Met, Singular, Length, Closed };
 
 /// One place of a stroke under way.
 struct StrokeSample {
@@ -29,6 +30,7 @@ struct StrokeSample {
   double facing = 0;  // cosine between the normal turned to the viewer and the view
   double darkness = 0;
   double weight = 1;       // as in GridSample
+  double gap = 0;          // paper mm to where the next line would be; 0: not known
   std::uint32_t face = 0;  // of the proxy
   FaceKind kind = FaceKind::Freeform;
   bool bent = true;  // curvature is known and not zero
@@ -55,6 +57,10 @@ struct TracedStroke {
 
   double length() const;  // on paper
 };
+
+/// The unit normal on paper of what a stroke ends at, at its first sample or at its last: a
+/// contour, or the crease or boundary nearest to it; none where it ends for another reason.
+std::optional<Vec2> border_normal(const Picture& picture, const TracedStroke& stroke, bool begin);
 
 /// Fills in what a surface point says of itself; no tangent and no direction.
 void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
@@ -95,14 +101,19 @@ class Tracer {
   /// The whole stroke through a seed.
   TracedStroke trace(std::int32_t part, const StrokeSample& seed, const StrokeWay& way) const;
 
+  /// What a stroke that ends with a tip, whose last sample is `tip`, still has before it: the wedge
+  /// between its neighbours, as far as there is more than one gap between them. `number` is the
+  /// stroke's among the neighbours.
+  std::vector<StrokeSample> wedge(const TracedStroke& stroke, StrokeSample tip, double gap,
+                                  double least_ink, const SampleGrid& neighbours,
+                                  std::int32_t number) const;
+
  private:
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
   std::optional<double> level_kept(std::int32_t part, const StrokeSample& seed) const;
   bool keep_level(std::int32_t part, double level, double length, MarchStep& step) const;
   void aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, double level, double length,
            MarchStep& step) const;
-  Vec3 steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
-             const Guide::Heading& heading) const;
   void end_at_seam(std::int32_t part, const StrokeSample& last,
                    std::vector<StrokeSample>& out) const;
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,

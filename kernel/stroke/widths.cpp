@@ -21,8 +21,12 @@ constexpr double kAlone = 1.6;      // widest gaps: a neighbour further off is n
 constexpr double kThinnest = 0.02;  // paper mm
 // Of the room that a line has, at the most: lines that draw together stay lines.
 constexpr double kFullest = 0.75;
-constexpr double kFaded = 0.3;      // weight under which a line needs no taper
+constexpr double kFaded = 0.3;  // weight under which a line needs no taper
+// Paper mm that the corner of a stroke may stick out over the border at which it ends: half of the
+// line that is drawn there.
+constexpr double kOverhang = 0.06;
 constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
+constexpr double kTip = 0.8;        // ... where they close up behind it
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
 
 // A stroke that ends in the light is the fainter the nearer it is to the style's shortest, and
@@ -175,13 +179,15 @@ class WidthSolver {
         continue;
       }
       // Half of the gaps on both sides are its own to ink; where it has no neighbour on one side,
-      // as much as on the other.
+      // as much as on the other, or as there would be: at the border of a highlight it is no blot.
       const double most = kAlone * picture_.options.spacing_max;
       SampleGrid::Sides gap =
           families_[f].grid.sides(grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), most);
-      if (gap.left >= most) gap.left = gap.right;
-      if (gap.right >= most) gap.right = gap.left;
-      if (gap.left >= most) gap.left = gap.right = picture_.options.spacing_min;
+      const double asked = picture_.options.spacing_min;
+      const double free = std::min({s.gap > 0 ? s.gap : asked, asked});
+      const bool left = gap.left < most, right = gap.right < most;
+      if (!left) gap.left = right ? std::min(gap.right, free) : free;
+      if (!right) gap.right = left ? std::min(gap.left, free) : free;
       // A line that fades out leaves its room to the next ones.
       const double room = 0.5 * gap.left * (1 + s.weight - gap.left_weight) +
                           0.5 * gap.right * (1 + s.weight - gap.right_weight);
@@ -189,8 +195,30 @@ class WidthSolver {
       w[i] = limit(ink * room, f, s.weight);
     }
     smooth(stroke, w);
+    if (picture_.swells() && !picture_.by_chance()) {
+      keep_inside(stroke, true, most_of);
+      keep_inside(stroke, false, most_of);
+    }
     for (std::size_t i = 0; i < w.size(); ++i) w[i] = std::min(w[i], most_of[i]);
     return w;
+  }
+
+  // Where a stroke runs into a border at a grazing angle its corners would be a row of teeth along
+  // it: no place of it is wider than leaves them inside.
+  void keep_inside(const TracedStroke& stroke, bool begin, std::vector<double>& most) const {
+    const auto across = border_normal(picture_, stroke, begin);
+    if (!across) return;
+    const std::size_t n = most.size();
+    const Vec2 end = (begin ? stroke.samples.front() : stroke.samples.back()).paper;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = begin ? k : n - 1 - k;
+      const StrokeSample& s = stroke.samples[i];
+      const double inside = std::abs(glm::dot(*across, s.paper - end)) + kOverhang,
+                   along = std::abs(cross2(*across, s.direction));
+      const double widest = along > 0 ? 2 * inside / along : picture_.options.width_max;
+      if (widest >= most[i]) return;
+      most[i] = std::max(widest, std::min(kThinnest, picture_.options.width_min));
+    }
   }
 
   // The second family, and a line that fades out, are as thin as can be printed.
@@ -225,6 +253,8 @@ class WidthSolver {
       switch (e) {
         case StrokeEnd::Crowded:
           return std::min(longest, kBlunt);
+        case StrokeEnd::Tip:
+          return std::min(longest, kTip);
         case StrokeEnd::Light:
           return last.weight < kFaded ? std::min(longest, kBlunt) : longest;
         case StrokeEnd::Singular:
