@@ -26,8 +26,10 @@ constexpr int kMostPasses = 8;
 constexpr double kTold = 2;
 constexpr std::size_t kGrain = 4096;
 /// Radians between a patch's normal and that which is linear over the facet: up to the first they
-/// are alike, from the second on not.
+/// are alike, from the second on not; less where facets bend little for their size.
 constexpr double kAlike = 0.035, kUnlike = 0.087;
+/// Of the tolerance: how far aside a normal that is taken as alike may move a contour.
+constexpr double kAside = 0.5;
 
 constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
 
@@ -101,6 +103,7 @@ class Divider {
   }
 
   /// In the order of their facets.
+  double tolerance() const { return tolerance_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// Those of the mesh, and the ones that were made.
   std::vector<Vec3> positions() const {
@@ -285,13 +288,14 @@ class Normals {
   std::array<Vec3, 3> of(const Piece& piece) const {
     std::array<Vec3, 3> out;
     std::optional<RoundedFacet> facet;
+    double strict = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       if (const Vec3* normal = kept(piece.facet, piece.bary[k])) {
         out[k] = *normal;
         continue;
       }
-      if (!facet) facet = divider_.facet(piece.facet);
-      out[k] = moved(*facet, piece.bary[k]);
+      if (!facet) facet = divider_.facet(piece.facet), strict = strictness(piece.facet);
+      out[k] = moved(*facet, piece.bary[k], strict);
     }
     return out;
   }
@@ -305,13 +309,28 @@ class Normals {
     }
     return nullptr;
   }
-  Vec3 moved(const RoundedFacet& facet, Vec3 bary) const {
+  /// Share of kAlike and kUnlike that holds for a facet. A normal that is off by an angle moves a
+  /// contour along the surface by the angle times its radius, and aside by half the angle of that.
+  double strictness(std::uint32_t f) const {
+    const Triangle& w = coarse_.wedges[f];
+    double bend = 0;  // squared, a mm
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = w[k], b = w[next(k)];
+      const Vec3 edge = coarse_.wedge_position(b) - coarse_.wedge_position(a);
+      const Vec3 change = coarse_.wedge_normal[b] - coarse_.wedge_normal[a];
+      bend = std::max(bend, glm::dot(change, change) / std::max(glm::dot(edge, edge), 1e-300));
+    }
+    const double alike = std::sqrt(2 * kAside * divider_.tolerance() * std::sqrt(bend));
+    return std::clamp(alike / kAlike, 1e-6, 1.0);
+  }
+  Vec3 moved(const RoundedFacet& facet, Vec3 bary, double strict) const {
     const Vec3 flat = coarse_.mesh.normal(facet.face());
     Vec3 own = normalize_or(facet.normal_at(bary), flat);
     if (glm::dot(own, flat) <= 0) own = flat;  // folded over
     const Vec3 smooth = coarse_.normal(facet.face(), bary);
     const double angle = std::acos(std::min(glm::dot(smooth, own), 1.0));
-    const double share = std::clamp((angle - kAlike) / (kUnlike - kAlike), 0.0, 1.0);
+    const double share =
+        std::clamp((angle - strict * kAlike) / (strict * (kUnlike - kAlike)), 0.0, 1.0);
     return normalize_or(glm::mix(smooth, own, share), own);
   }
 
