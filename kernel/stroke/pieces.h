@@ -27,6 +27,7 @@ struct Piece {
   std::int32_t part = -1, region = -1;
   FadingRange fading;
   double length = 0;
+  int halvings = 0;  // since a stroke stood at the middle of it
 };
 
 /// What is left of a piece before one of its points and after another, where that is a line.

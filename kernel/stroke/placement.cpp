@@ -35,6 +35,7 @@ constexpr double kLongerRuled = 4;
 // Shares of the gap: a seed nearer than this to an accepted line is that line, where strokes run as
 // the field has it, and where they run along their level lines.
 constexpr double kTaken = 0.55, kSame = 0.3;
+constexpr int kHalvings = 2;  // of a line whose middle is taken, until it counts as drawn
 // Where a stroke begins: this near its level line where it can be, and no farther off than that.
 constexpr double kOnLine = 0.02, kNearLine = 0.3;
 constexpr int kNewton = 4;
@@ -119,7 +120,11 @@ class Placement {
     const bool known = picture_.surface(piece.part).exact() || !seed.bent;
     const double taken = (known ? kTaken : kSame) * gap;
     if (out_.grid.nearest(grid_sample(seed, piece.part, -1), taken) < taken) {
-      return {};
+      // That line, or lines that draw together just there: its other parts may be missing.
+      if (piece.halvings == kHalvings) return {};
+      std::vector<Piece> halves = left_of(piece, middle, middle);
+      for (Piece& half : halves) half.halvings = piece.halvings + 1;
+      return halves;
     }
     TracedStroke stroke = tracer_.trace(piece.part, seed,
                                         {.reach = 0.5 * picture_.options.length_max,

@@ -18,6 +18,7 @@ constexpr double kMostCorrection = 1.6;
 // ... less where its neighbours tell how wide it is to be.
 constexpr double kMostBeside = 1.15;
 constexpr double kAlone = 1.6;      // widest gaps: a neighbour further off is none
+constexpr double kTurning = 0.35;   // cosine: seen more edge-on, a surface turns away
 constexpr double kThinnest = 0.02;  // paper mm
 // Of the room that a line has, at the most: lines that draw together stay lines.
 constexpr double kFullest = 0.75;
@@ -179,15 +180,17 @@ class WidthSolver {
         continue;
       }
       // Half of the gaps on both sides are its own to ink; where it has no neighbour on one side,
-      // as much as on the other, or as there would be: at the border of a highlight it is no blot.
+      // as much as on the other. Beside a contour, no more than to where the next line would be: at
+      // the border of a highlight it would be a claw.
       const double most = kAlone * picture_.options.spacing_max;
       SampleGrid::Sides gap =
           families_[f].grid.sides(grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), most);
       const double asked = picture_.options.spacing_min;
-      const double free = std::min({s.gap > 0 ? s.gap : asked, asked});
+      const bool turning = s.gap > 0 && s.facing < kTurning;
+      const double free = turning ? std::min(s.gap, asked) : asked, widest = turning ? free : most;
       const bool left = gap.left < most, right = gap.right < most;
-      if (!left) gap.left = right ? std::min(gap.right, free) : free;
-      if (!right) gap.right = left ? std::min(gap.left, free) : free;
+      if (!left) gap.left = right ? std::min(gap.right, widest) : free;
+      if (!right) gap.right = left ? std::min(gap.left, widest) : free;
       // A line that fades out leaves its room to the next ones.
       const double room = 0.5 * gap.left * (1 + s.weight - gap.left_weight) +
                           0.5 * gap.right * (1 + s.weight - gap.right_weight);
