@@ -159,7 +159,10 @@ void expect_true(const Random& random, const Drawing& drawing, std::uint64_t see
   const Isophotes light{tone::to_light(camera, random.style.tone), even_levels(steps)};
   AreaRule rule{drawing.areas, std::vector<Isophotes>(random.scene.parts.size(), light)};
   rule.pen = random.style.line.crease;
-  const AreaWitnesses witnesses{referee, referee};
+  // Normals of coarse facets are those of the surface as it is drawn.
+  const FineSurfaces drawn = fine_surfaces(random.scene, 0.05 / camera.scale(), {}, {}, context);
+  const Referee toned(drawn, camera, {}, context);
+  const AreaWitnesses witnesses{referee, referee, {}, &toned};
   const AreaJudge judge(rule, witnesses, context);
   const Box2 sheet{Vec2(0), Vec2(drawing.paper_width, drawing.paper_height)};
   for (const WrongArea& wrong : wrong_areas(judge, sheet, seed, context).wrong) {
