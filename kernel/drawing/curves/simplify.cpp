@@ -27,6 +27,8 @@ std::vector<std::size_t> douglas_peucker(std::span<const Vec> points, double tol
   keep[0] = keep[n - 1] = 1;
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
   const double limit = tolerance * tolerance;
+  // Of points that are equally far the first: along a stroke of one width all are, but for noise.
+  constexpr double kFarther = 1 + 1e-9;
   while (!open.empty()) {
     const auto [first, last] = open.back();
     open.pop_back();
@@ -36,7 +38,7 @@ std::vector<std::size_t> douglas_peucker(std::span<const Vec> points, double tol
     std::size_t at = first;
     for (std::size_t i = first + 1; i < last; ++i) {
       const double e = distance2(points[i], a, d, dd);
-      if (e > worst) {
+      if (e > kFarther * worst) {
         worst = e;
         at = i;
       }

@@ -177,5 +177,15 @@ TEST(Simplify, KeepsWhatMatters) {
   EXPECT_EQ(simplify(std::span(points).first(1), 0.01).size(), 1u);
 }
 
+// A stroke of one width with tapered ends is a plateau to it: noise chose a point in its middle.
+TEST(Simplify, OfPointsThatAreEquallyFarKeepsTheFirst) {
+  for (const double noise : {0.0, 1e-15, -1e-15}) {
+    std::vector<Vec2> points{{0, 0}};
+    for (int i = 1; i < 40; ++i) points.emplace_back(i, 0.22 + (i == 25 ? noise : 0));
+    points.emplace_back(40, 0);
+    EXPECT_EQ(simplify(points, 0.01), (std::vector<std::size_t>{0, 1, 39, 40})) << noise;
+  }
+}
+
 }  // namespace
 }  // namespace burin
