@@ -50,7 +50,8 @@ std::string in_background(const Style& whole) {
 /// The look of parts in a colour as it is called; empty: none is. A style that prints in a spot ink
 /// has that one for them then, more of it than elsewhere. Another colour is an ink of its own, but
 /// for greys: those are black. Lines are seen on all tones of a colour. The contour has one width
-/// all round: wider against the paper, the bit of a part that stands out beyond pale ones is a blot.
+/// all round: wider against the paper, the bit of a part that stands out beyond pale ones is a
+/// blot.
 std::string highlighted(const Style& whole, const std::string& called) {
   constexpr double kLeastTint = 0.6;
   const FillOptions& fill = whole.fill;

@@ -157,7 +157,8 @@ TEST_F(CliCad, ACutFileIsDrawnWithAWarning) {
   const std::string text = test::slurp(sample("coupling.step"));
   folder_.write("cut.step", text.substr(0, text.size() * 7 / 10));
   EXPECT_EQ(run("draw @/cut.step -o @/a.svg --style outline"), 0) << err_;
-  EXPECT_NE(err_.find("burin: warning: cut.step: the file ends early, in line "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("burin: warning: cut.step: the file ends early, in line "), std::string::npos)
+      << err_;
 }
 
 TEST_F(CliCad, StopsWhileReading) {
