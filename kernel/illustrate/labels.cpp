@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace burin::detail {
@@ -77,13 +79,43 @@ class Looker {
     }
   }
 
-  // Of the parts of a flag; empty: of all.
-  std::vector<Area> areas(const Occluder& occluder, const std::vector<bool>& parts = {}) const {
-    const auto label_at = [&, probe = view_probe(occluder, camera_)](Vec2 p) {
-      const auto hit = probe(p);
+  /// Of the solid parts.
+  std::vector<Area> solid() const { return areas(view_probe(wanted_.occluders->solid(), camera_)); }
+
+  /// Of the pane behind so many others at each place. `all` are the solid parts and the panes.
+  std::vector<Area> glass(const Occluder& all, std::size_t behind) const {
+    return areas([&](Vec2 at) { return pane(all, at, behind); });
+  }
+
+ private:
+  /// What a part shows first of itself counts, not its other walls. What is solid ends the view.
+  std::optional<ViewHit> pane(const Occluder& all, Vec2 at, std::size_t behind) const {
+    constexpr int kMostWalls = 64;
+    ViewRay ray = camera_.ray(at);
+    if (!camera_.perspective()) ray.origin -= 2 * all.diagonal() * ray.direction;
+    std::vector<std::int32_t> met;
+    double near = 0;
+    for (int i = 0; i < kMostWalls; ++i) {
+      const auto hit =
+          all.first_hit(ray.origin, ray.direction, near, std::numeric_limits<double>::infinity());
+      if (!hit || !wanted_.occluders->transparent(static_cast<std::size_t>(hit->where.part))) {
+        return std::nullopt;
+      }
+      near = hit->distance + 4 * all.resolution();
+      if (std::ranges::find(met, hit->where.part) != met.end()) continue;
+      if (met.size() == behind) {
+        return ViewHit{.part = hit->where.part, .point = {hit->where.face, hit->bary}};
+      }
+      met.push_back(hit->where.part);
+    }
+    return std::nullopt;
+  }
+
+  std::vector<Area> areas(const ViewProbe& probe) const {
+    const auto label_at = [&](Vec2 at) {
+      const auto hit = probe(at);
       if (!hit) return AreaLabel{};
       const auto part = static_cast<std::size_t>(hit->part);
-      if (!parts.empty() && !parts[part]) return AreaLabel{};
       AreaLabel label{.part = hit->part};
       const ProxyMesh& proxy = *wanted_.occluders->proxies()[part];
       const FaceColors* colors = colors_of(part);
@@ -95,7 +127,6 @@ class Looker {
     return areas_of(partition(box_, lines_, label_at, {.rounds = 1}, context_));
   }
 
- private:
   const FaceColors* colors_of(std::size_t part) const {
     const bool of_glass = part < wanted_.colors.size() && wanted_.occluders->transparent(part);
     return of_glass ? wanted_.colors[part].get() : nullptr;
@@ -144,17 +175,16 @@ Labels label(const LabelRequest& wanted, const RunContext& context) {
   const Occluders& occluders = *wanted.occluders;
   const Looker looker(wanted, context);
   Labels labels;
-  std::vector<bool> left = occluders.transparent();
-  for (std::size_t i = 0; i < kMostGlass && std::ranges::find(left, true) != left.end(); ++i) {
-    const Occluder glass(occluders.proxies_with(left), context);
-    std::vector<Area> seen = looker.areas(glass, left);
-    if (seen.empty()) break;
-    // What was not seen may stand within what was: glass in glass.
-    for (const Area& area : seen) left[static_cast<std::size_t>(area.part)] = false;
-    std::ranges::move(seen, std::back_inserter(labels.areas));
+  if (occluders.any_transparent()) {
+    const Occluder all(occluders.proxies_with(occluders.transparent()), context);
+    for (std::size_t behind = 0; behind < kMostGlass; ++behind) {
+      std::vector<Area> seen = looker.glass(all, behind);
+      if (seen.empty()) break;
+      std::ranges::move(seen, std::back_inserter(labels.areas));
+    }
   }
   if (wanted.solid) {
-    std::ranges::move(looker.areas(occluders.solid()), std::back_inserter(labels.areas));
+    std::ranges::move(looker.solid(), std::back_inserter(labels.areas));
   }
   return labels;
 }

@@ -164,6 +164,15 @@ AreaAnswer AreaJudge::ask_glass(const Claim& claim, Vec2 paper) const {
     if (!with || with->may_see(paper, is_it)) continue;
     return {AreaFinding::WrongPart, {part, -1, -1}, {}, {}};
   }
+  // A pane behind others is seen, too.
+  for (std::int32_t part = 0; part < std::ssize(rule_.glass); ++part) {
+    if (!is_glass(part) || std::ranges::find(claim.glass, part) != claim.glass.end()) continue;
+    const Referee* with = witnesses_.with ? witnesses_.with(part) : nullptr;
+    const auto seen = with ? with->see(paper) : std::nullopt;
+    const auto is_other = [&](const Referee::Sheet& sheet) { return sheet.part != part; };
+    if (!seen || with->may_see(paper, is_other)) continue;
+    return {AreaFinding::WrongPart, {}, {part, seen->source.face, -1}, seen->place};
+  }
   AreaAnswer answer;
   const bool holds = witnesses_.all.may_see(paper, [&](const Referee::Sheet& sheet) {
     answer = {AreaFinding::WrongPart, {}, {sheet.part, sheet.face, -1}, sheet.place};

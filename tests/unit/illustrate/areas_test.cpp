@@ -19,7 +19,7 @@ constexpr Vec3 kBall{6, -30, 3};
 constexpr double kRadius = 10;
 
 /// A ball before a plate of 60 x 40, from the front.
-Drawing ball_before_plate(const char* style, bool glass) {
+Drawing ball_before_plate(const char* style, bool glass, bool plate_too = false) {
   Scene scene;
   const auto add = [&](const char* name, TriMesh mesh, Vec3 by) {
     for (Vec3& p : mesh.positions) p += by;
@@ -34,6 +34,7 @@ Drawing ball_before_plate(const char* style, bool glass) {
                   {.direction = v.direction, .up = v.up, .scale = 1.5, .paper = {150, 100}});
   IllustrateOptions options{.annotations = Annotations{}};
   options.part_styles.resize(2);
+  options.part_styles[0].transparent = plate_too;
   options.part_styles[1].transparent = glass;
   return illustrate(scene, camera, builtin_style(style), options, context);
 }
@@ -41,6 +42,26 @@ Drawing ball_before_plate(const char* style, bool glass) {
 const Area* area_of(const Drawing& drawing, std::int32_t part) {
   const auto it = std::ranges::find(drawing.areas, part, &Area::part);
   return it == drawing.areas.end() ? nullptr : &*it;
+}
+
+// The plate was cut out where the ball stands before it.
+TEST(Areas, OfGlassGoOnBehindOtherGlass) {
+  const double scale2 = 1.5 * 1.5, ball = std::acos(-1.0) * kRadius * kRadius;
+  const Drawing drawing = ball_before_plate("outline", true, true);
+  double plate = 0;
+  std::size_t last = 0, first_ball = drawing.areas.size();
+  for (std::size_t i = 0; i < drawing.areas.size(); ++i) {
+    const Area& area = drawing.areas[i];
+    if (area.part == 1) {
+      first_ball = std::min(first_ball, i);
+      EXPECT_NEAR(test::signed_area(area), scale2 * ball, 0.004 * scale2 * ball);
+      continue;
+    }
+    plate += test::signed_area(area);
+    if (test::signed_area(area) < 1.1 * scale2 * ball) last = i;
+  }
+  EXPECT_NEAR(plate, scale2 * 60 * 40, 1e-6 * scale2 * 2400);
+  EXPECT_GT(last, first_ball) << "what is before comes first, and is painted last";
 }
 
 TEST(Areas, AreThoseOfTheSilhouettes) {
