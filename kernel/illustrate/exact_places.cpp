@@ -48,7 +48,7 @@ double ExactDepths::reach(FaceRef where, Vec3 direction) const {
 double ExactDepths::depth(FaceRef where, Vec3 bary, Vec3 position, Vec3 origin,
                           Vec3 direction) const {
   const double flat = glm::dot(position - origin, direction);
-  const ExactAt& exact = places_[static_cast<std::size_t>(where.part)];
+  const ExactAt& exact = places(where.part);
   if (!exact) return flat;
   const ExactPlace place = exact(where.face, bary);
   const double cosine = glm::dot(place.normal, direction);

@@ -27,6 +27,8 @@ class ExactDepths {
 
   /// Whether surfaces and triangles of different parts may lie behind each other in another order.
   bool needed() const { return proxies_.size() > 1 && most_off_ > 0; }
+  /// The places of a part; nothing where it is not exact.
+  const ExactAt& places(std::int32_t part) const { return places_[static_cast<std::size_t>(part)]; }
   /// Model mm along a ray from a place of a part within which they may.
   double reach(FaceRef where, Vec3 direction) const;
   /// Model mm from an origin along a ray to where it meets the surface of a place that its triangle

@@ -229,11 +229,8 @@ std::int32_t tone_at(const ProxyMesh& proxy, std::span<const Vec3> normals, cons
 LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
                      const ExactDepths& depths, const Camera& camera, const RegionOptions& options,
                      const LightView* light) {
-  std::vector<ExactAt> places;
-  for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
   return [probe = exact_view_probe(occluders, depths, camera), proxies = occluders.solid_proxies(),
-          places = std::move(places), &normals, &occluders, &depths, &camera, &options,
-          light](Vec2 at) {
+          &normals, &occluders, &depths, &camera, &options, light](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -247,7 +244,8 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
-    label.tone = tone_at(proxy, normals[part], places[part], *hit, camera, options.tones[part]);
+    label.tone =
+        tone_at(proxy, normals[part], depths.places(hit->part), *hit, camera, options.tones[part]);
     if (light && label.tone > 0 && in_shadow(occluders, depths, *hit, light->camera.direction())) {
       label.tone = 0;
     }

@@ -19,8 +19,9 @@ constexpr double kFree = 0.2;  // gaps that it may be off there
 // it (a hair on paper is many degrees there), and all where it is seen squarer than the second.
 constexpr double kSlanted = 0.2, kSquare = 0.5;
 constexpr double kEdgeOn = 0.02;  // ... and no direction on paper anything of one on the surface
-// Gaps off its level line from which on a stroke turns back to it all the same, and is lost.
-constexpr double kNearlyLost = 0.3, kLost = 0.5;
+// Gaps off its level line from which on a stroke turns back to it all the same, the more the nearer
+// it is to being lost.
+constexpr double kNearlyLost = 0.3;
 constexpr double kTurnOver = 0.8;  // paper mm over which it would be back
 constexpr double kCloseOver = 3;   // ... where it is to fill the place of one that ended
 

@@ -20,15 +20,13 @@ constexpr double kMostOff = 0.25;      // of a step that a stroke may be off its
 constexpr double kLeastOff = 1e-4;     // ... that it is left off
 constexpr int kMaxSamples = 20000;     // a bound where length_max is set absurdly high
 
-constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
-constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
+constexpr double kUnguided = 1.5;  // paper mm that a stroke is seen beyond its level line
 // Gaps that it keeps from its neighbours there, and on its way to where the surface turns away.
 constexpr double kApart = 0.55, kTurningApart = 0.25;
-constexpr double kTurning = 0.35;  // cosine
 // Gaps between the neighbours of a tip up to which it goes on into their wedge, how far at the
 // most, and how near to one of them. Lines that do not swell would be too dark there: paper mm.
 constexpr double kClosed = 2 * kApart, kDeepest = 5, kTouching = 0.4, kDeepestStiff = 0.7;
-constexpr double kSameFacing = 0.001;  // ... by which it may rise on the way to a contour
+constexpr double kSameFacing = 0.001;  // cosine by which it may rise on the way to a contour
 
 // Model mm along a stroke that show as so many on paper.
 double length_of(const Camera& camera, const StrokeSample& at, double paper) {
@@ -242,7 +240,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     if (guide) heading = guide->at(at.paper);
     const bool guided = guide && !heading.past;
     // Where a surface turns away, gaps shrink until any line is lost.
-    const bool lost = guided && !level && std::abs(heading.off) > kMostDrift * heading.gap;
+    const bool lost = guided && !level && std::abs(heading.off) > kLost * heading.gap;
     if (lost && at.facing > kTurning) return StrokeEnd::Crowded;
     const bool tip = guide && heading.past && heading.inside;
     if (tip && picture_.swells()) return StrokeEnd::Tip;

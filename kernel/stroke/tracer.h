@@ -11,6 +11,10 @@ namespace burin::detail {
 
 /// Paper mm between the samples of a stroke.
 constexpr double kStep = 0.4;
+/// Cosine to the view: seen more edge-on, a surface turns away.
+constexpr double kTurning = 0.35;
+/// Gaps that a stroke may be off its level line until it is lost.
+constexpr double kLost = 0.5;
 
 /// Why a stroke ends; decides how its end is shaped. Edge: a crease or boundary; Away: the surface
 /// turns away from the viewer; Crowded: its neighbours need no line between them any more; Tip: its

@@ -18,7 +18,6 @@ constexpr double kMostCorrection = 1.6;
 // ... less where its neighbours tell how wide it is to be.
 constexpr double kMostBeside = 1.15;
 constexpr double kAlone = 1.6;      // widest gaps: a neighbour further off is none
-constexpr double kTurning = 0.35;   // cosine: seen more edge-on, a surface turns away
 constexpr double kThinnest = 0.02;  // paper mm
 // Of the room that a line has, at the most: lines that draw together stay lines.
 constexpr double kFullest = 0.75;
