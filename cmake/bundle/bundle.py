@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """bundle.py BUILD: a folder with the command, its libraries and those of others that it needs, for any Linux of glibc 2.36
-and later, packed as burin-VERSION-linux-PROCESSOR.tar.zst beside a list of what is inside (SPDX) and its SHA-256. Nothing
-is installed; the folder may be moved, and deleting it takes all away. The same build gives the same bytes.
+and later, packed as burin-VERSION-linux-PROCESSOR.tar.zst, and larger as .tar.gz for systems without zstd, each with its
+SHA-256, beside a list of what is inside (SPDX). Nothing is installed; the folder may be moved, and deleting it takes all away.
+The same build gives the same bytes.
 
-Needs what ./dev bundle installs: patchelf, zstd, cc, binutils, dpkg."""
+Needs what ./dev bundle installs: patchelf, zstd, gzip, cc, binutils, dpkg."""
 import hashlib
 import pathlib
 import platform
 import shutil
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -30,17 +30,18 @@ def make(build):
     inside = build / f"{name}.spdx.json"
     inside.write_text(listing(packages, "share/doc/burin/licences"), encoding="utf-8")
     shutil.copyfile(inside, top / "share/doc/burin/packages.spdx.json")
-    packed = build / f"{name}.tar.zst"
-    tar = subprocess.Popen(["tar", "--sort=name", f"--mtime=@{commit_time()}", "--owner=0", "--group=0", "--numeric-owner", "--mode=go-w",
-                            "--format=gnu", "-C", top.parent, "-cf", "-", name], stdout=subprocess.PIPE)
-    subprocess.run(["zstd", "-q", "-f", "--ultra", "-22", "--long=27", "-o", packed], stdin=tar.stdout, check=True)
-    if tar.wait():
-        sys.exit("bundle.py: tar failed")
-    digest = hashlib.sha256(packed.read_bytes()).hexdigest()
-    pathlib.Path(f"{packed}.sha256").write_text(f"{digest}  {packed.name}\n", encoding="ascii")
+    tar = build / f"{name}.tar"
+    run("tar", "--sort=name", f"--mtime=@{commit_time()}", "--owner=0", "--group=0", "--numeric-owner", "--mode=go-w", "--format=gnu",
+        "-C", top.parent, "-cf", tar, name)
+    run("gzip", "-9", "--keep", "--no-name", "--force", tar)
+    run("zstd", "-q", "-f", "--ultra", "-22", "--long=27", "--rm", tar)
+    packed = [pathlib.Path(f"{tar}{suffix}") for suffix in (".zst", ".gz")]
+    for file in packed:
+        digest = hashlib.sha256(file.read_bytes()).hexdigest()
+        pathlib.Path(f"{file}.sha256").write_text(f"{digest}  {file.name}\n", encoding="ascii")
     size = sum(f.stat().st_size for f in top.rglob("*") if f.is_file() and not f.is_symlink())
-    print(f"{packed}: {packed.stat().st_size / 1e6:.1f} MB packed, {size / 1e6:.0f} MB, {len(files)} libraries of {len(packages)} packages, "
-          f"{symbols} symbols of OCCT's viewer replaced")
+    print(f"{packed[0]}: {' and, as .tar.gz, '.join(f'{file.stat().st_size / 1e6:.1f} MB' for file in packed)} packed, {size / 1e6:.0f} MB, "
+          f"{len(files)} libraries of {len(packages)} packages, {symbols} symbols of OCCT's viewer replaced")
 
 
 if len(sys.argv) != 2:

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # bundle.sh BUILD [SUITE...]: unpacks the bundle of a build in bare roots of Debian (12 and 13 where none is named), where nothing
-# is installed, and draws samples there: the bytes are those of the build's own command. Prints a line for each root. Needs
-# root, mmdebstrap and a mirror.
+# is installed, and draws samples there: the bytes are those of the build's own command. The root's own tar unpacks the
+# .tar.gz; the .tar.zst, for which a bare root has no program, has the same files. Prints a line for each root. Needs root,
+# mmdebstrap and a mirror.
 set -euo pipefail
 build=$1
 shift
@@ -14,15 +15,20 @@ undo() { [[ -z $root ]] || ! mountpoint -q "$root/proc" || umount "$root/proc"; 
 skip_unless_root "bundle" mmdebstrap zstd
 packed=$(echo "$build"/burin-*-linux-*.tar.zst)
 [[ -s $packed ]] || fail "no bundle in $build; run ./dev bundle"
-(cd "$build" && sha256sum --quiet -c "$(basename "$packed").sha256") || fail "the SHA-256 of $packed is another"
 name=$(basename "$packed" .tar.zst)
+plain=$build/$name.tar.gz
+for file in "$packed" "$plain"; do
+  (cd "$build" && sha256sum --quiet -c "$(basename "$file").sha256") || fail "the SHA-256 of $file is another"
+done
+cmp -s <(zstd -dcq --long=27 "$packed") <(gzip -dc "$plain") || fail "$packed and $plain hold other files"
 
 for suite in "$@"; do
   root=$scratch/$suite
   bare_root apt "$root" "$suite"
   mount -t proc proc "$root/proc"  # the loader looks there for the place of a program
   inside() { chroot "$root" env -i HOME=/root LC_ALL=C.UTF-8 "/opt/$name/bin/burin" "$@"; }
-  tar --zstd -xf "$packed" -C "$root/opt"
+  cp "$plain" "$root/opt/"
+  chroot "$root" tar -C /opt -xf "/opt/$name.tar.gz"
   inside --version >/dev/null || fail "$suite: the command does not start"
   for model in coupling.step spindle.stl horn.itd lantern.glb blend.implicit; do
     for style in outline engraving; do
