@@ -6,7 +6,7 @@
     tests/platforms/table.py add PLATFORM WHAT VERSIONS RESULT
                                                     a row of today, in place of the one of the same PLATFORM and WHAT
 
-./dev bundle --try, ./dev wheel --try and ./dev test --root add theirs."""
+./dev bundle --try, ./dev wheel --try, ./dev addon --try and ./dev test --root add theirs."""
 import csv
 import datetime
 import pathlib

@@ -13,7 +13,7 @@ import tempfile
 
 SKIP = 77
 HERE = pathlib.Path(__file__).resolve().parent
-ADDON = HERE.parent.parent.parent / "freecad_wb"
+ADDON = pathlib.Path(os.environ.get("BURIN_ADDON") or HERE.parent.parent.parent / "freecad_wb")
 
 # FreeCAD 1.0 would turn the camera slowly, and a test would read it on its way; and what tests print would lie before its window.
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
@@ -59,9 +59,9 @@ def main():
         config.write(CONFIG % (os.environ.get("BURIN_TEST_START", "BurinWorkbench"),
                                os.environ.get("BURIN_TEST_LANGUAGE", "English"), os.environ.get("BURIN_TEST_STYLESHEET", "")))
     addon = ADDON
-    if os.environ.get("BURIN_TEST_COPY"):  # apart from the build folder, where the kernel is found
+    if os.environ.get("BURIN_TEST_COPY"):  # apart from any kernel: that of the build folder is found, and that of an archive
         addon = os.path.join(home, "addon")
-        shutil.copytree(ADDON, addon)
+        shutil.copytree(ADDON, addon, ignore=shutil.ignore_patterns("native"))
     server, display = screen()
     environment = dict(os.environ, DISPLAY=display, FREECAD_USER_HOME=home, QTWEBENGINE_DISABLE_SANDBOX="1",
                        BURIN_TEST_OUT=str(out), BURIN_TEST_VERDICT=str(verdict), PYTHONDONTWRITEBYTECODE="1",
