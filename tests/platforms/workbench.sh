@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # workbench.sh BUILD ARCHIVE [SUITE...]: all tests of the workbench, without a window and with one, in the FreeCAD of each Debian
 # (12, 13 and sid where none is named), with the add-on and the kernel of ARCHIVE, which ./dev addon --python made; windows have a
-# screen of their own. WORKBENCH_TESTS, a regular expression, chooses tests ("gui.pages"). The roots stay in BUILD/roots, so that a
+# screen of their own. WORKBENCH_TESTS, a regular expression, chooses tests ("gui.pages"). The roots stay in build/roots, so that a
 # second run has FreeCAD there; what tests print and the pictures that they take, too. Adds two rows to the table of platforms,
 # and ends with 1 where a test failed. Needs root, mmdebstrap, unzip and a mirror.
 set -euo pipefail
@@ -39,11 +39,11 @@ row() {
 }
 
 for suite in "$@"; do
-  root=$build/roots/$suite.freecad
+  root=$source/build/roots/$suite.freecad
   logs=$root.logs
   if [[ ! -e $root/made ]]; then
     rm -rf --one-file-system "$root"
-    mkdir -p "$build/roots"
+    mkdir -p "$source/build/roots"
     # sid's packages may name versions that its mirror does not have yet: what FreeCAD itself needs is there.
     bare_root apt "$root" "$suite" --include=freecad,python3-pivy,python3-numpy,xvfb,xauth,openscad,fonts-liberation,fonts-osifont,git,imagemagick
     touch "$root/made"
