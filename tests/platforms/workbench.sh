@@ -44,8 +44,10 @@ for suite in "$@"; do
   if [[ ! -e $root/made ]]; then
     rm -rf --one-file-system "$root"
     mkdir -p "$source/build/roots"
-    # sid's packages may name versions that its mirror does not have yet: what FreeCAD itself needs is there.
-    bare_root apt "$root" "$suite" --include=freecad,python3-pivy,python3-numpy,xvfb,xauth,openscad,fonts-liberation,fonts-osifont,git,imagemagick
+    packages=freecad,python3-pivy,python3-numpy,xvfb,xauth,openscad,fonts-liberation,fonts-osifont,git,imagemagick
+    # What Qt 6 draws icons with is a package of its own, which FreeCAD's only recommends.
+    [[ $suite == bookworm ]] || packages+=,qt6-svg-plugins
+    bare_root apt "$root" "$suite" --include="$packages"
     touch "$root/made"
   fi
   mkdir -p "$root/burin" "$root/data" "$root/build" "$root/logs" "$logs"
