@@ -44,10 +44,7 @@ for suite in "$@"; do
   if [[ ! -e $root/made ]]; then
     rm -rf --one-file-system "$root"
     mkdir -p "$source/build/roots"
-    packages=freecad,python3-pivy,python3-numpy,xvfb,xauth,openscad,fonts-liberation,fonts-osifont,git,imagemagick
-    # What Qt 6 draws icons with is a package of its own, which FreeCAD's only recommends.
-    [[ $suite == bookworm ]] || packages+=,qt6-svg-plugins
-    bare_root apt "$root" "$suite" --include="$packages"
+    bare_root apt "$root" "$suite" --include=freecad,python3-pivy,python3-numpy,xvfb,xauth,openscad,fonts-liberation,fonts-osifont,git,imagemagick
     touch "$root/made"
   fi
   mkdir -p "$root/burin" "$root/data" "$root/build" "$root/logs" "$logs"
