@@ -83,6 +83,10 @@ class Heartbeat:
         self._beat()
 
 
+# Of Qt 5 a number, of Qt 6 an enumerator.
+DELETED = int(getattr(QtCore.QEvent.DeferredDelete, "value", QtCore.QEvent.DeferredDelete))
+
+
 def settle(milliseconds=60):
     """Lets the GUI work for a while, and then until what comes one after the other has come: on a busy machine the time may
     be over before the first event."""
@@ -211,12 +215,20 @@ def panel():
 
 
 def close_pages():
-    """Closes the windows of TechDraw pages: FreeCAD 0.20 may crash while it asks one whose page is gone what it can do
-    (MDIViewPage::onHasMsg)."""
+    """Closes the windows of TechDraw pages before their document: FreeCAD 0.20 may crash while it asks one whose page is gone what it
+    can do (MDIViewPage::onHasMsg), 1.1 where it deletes one after its document. Qt keeps what is to be deleted until the loop of
+    events ends in which it was closed, which is after the test; it is deleted here."""
+    closed = []
     for window in Gui.getMainWindow().centralWidget().subWindowList():
         if window.widget() is not None and "MDIViewPage" in window.widget().metaObject().className():
+            closed += [window.widget(), window]
             window.close()
     settle(50)
+    for widget in closed:
+        try:
+            QtCore.QCoreApplication.sendPostedEvents(widget, DELETED)
+        except RuntimeError:  # it is gone already
+            pass
 
 
 # Mistakes in slots and callbacks, which end nothing by themselves.
