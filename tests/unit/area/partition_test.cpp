@@ -237,7 +237,8 @@ struct CutLines {
 CutLines disks_cut_at_random(std::mt19937& random, double cut) {
   std::uniform_real_distribution<double> x(5, 95), y(5, 75);
   CutLines out;
-  for (int i = 0; i < 5; ++i) out.disks.push_back(circle_of({x(random), y(random)}, 6 + 3 * i, 120));
+  for (int i = 0; i < 5; ++i)
+    out.disks.push_back(circle_of({x(random), y(random)}, 6 + 3 * i, 120));
   for (const auto& disk : out.disks) {
     std::size_t begin = 0;
     while (begin < disk.size()) {
