@@ -173,7 +173,8 @@ std::shared_ptr<const Form> form_of(const Models::Made& made, const Placement& p
   return std::make_shared<BrepForm>(body.model, after(place, body.placement));
 }
 
-Scene read(const std::filesystem::path& path, const std::string& encoding, RunContext& context) {
+Scene read_scene(const std::filesystem::path& path, const std::string& encoding,
+                 RunContext& context) {
   const OcctSession session;
   CadFile file = read_cad_file(path, encoding, session, context);
   Scene scene;
@@ -224,9 +225,8 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
   return info;
 }
 
-constexpr CadLibrary kLibrary{
-    BURIN_CAD_VERSION,      read, inspect, read_text_in_memory, read_shape_in_memory,
-    trimmed_faces_in_memory};
+constexpr CadLibrary kLibrary{BURIN_CAD_VERSION,   read_scene,           inspect,
+                              read_text_in_memory, read_shape_in_memory, trimmed_faces_in_memory};
 
 }  // namespace
 }  // namespace burin

@@ -79,7 +79,7 @@ TopoDS_Shape read_freecad_binary(std::istream& in) {
   return found;
 }
 
-TopoDS_Shape read(std::istream& in, BrepBytes kind, const std::string& bytes) {
+TopoDS_Shape parsed(std::istream& in, BrepBytes kind, const std::string& bytes) {
   TopoDS_Shape shape;
   // OCCT's own binary form begins with "\nOpen CASCADE Topology V".
   if (kind == BrepBytes::FreecadBinary) return read_freecad_binary(in);
@@ -104,7 +104,7 @@ std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, 
     in.exceptions(std::ios::failbit | std::ios::badbit);
     TopoDS_Shape shape;
     try {
-      shape = read(in, kind, bytes);
+      shape = parsed(in, kind, bytes);
     } catch (const std::ios_base::failure&) {
       throw InputError("the BREP data is broken or ends early");
     }

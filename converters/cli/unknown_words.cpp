@@ -97,7 +97,7 @@ std::string hint_for(const CLI::App& app, const std::string& name) {
   return draws ? hint_for_option(name, std::move(known), Spelling::Options) : hint(name, known);
 }
 
-std::string names_of_commands(const CLI::App& app) {
+std::string names_below(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) {
     if (!sub->get_group().empty()) names.push_back(sub->get_name());
@@ -120,10 +120,10 @@ bool is_command(const CLI::App& app, const std::string& word) {
                    "to make a parts list: burin draw INPUT... -o OUT --parts-list FILE.csv"});
   const std::string near = hint(word, known);
   throw UsageError(fmt::format("unknown command '{}'{} (see burin --help)", word,
-                               near.empty() ? names_of_commands(app) : near));
+                               near.empty() ? names_below(app) : near));
 }
 
-bool is_file(const std::string& word) {
+bool is_file_name(const std::string& word) {
   std::error_code error;
   return std::filesystem::is_regular_file(word, error) ||
          std::filesystem::path(word).has_extension();
@@ -156,7 +156,7 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
     if (name.starts_with('-')) {
       std::string near = hint_for(app, name);
       if (near.empty() && app.get_subcommands().empty() && !app.get_subcommands({}).empty()) {
-        near = names_of_commands(app);
+        near = names_below(app);
       }
       throw UsageError(fmt::format("unknown option {}{} (see {} --help)", name, near, command));
     }
@@ -172,7 +172,7 @@ void refuse_command(const CLI::App& app) {
   }
   const std::string& word = words.front();
   if (word.starts_with('-') && words.size() == 1) refuse_extras(app, "burin");
-  if (word.starts_with('-') || is_file(word)) {
+  if (word.starts_with('-') || is_file_name(word)) {
     throw UsageError(
         fmt::format("no command before '{}'; to draw: burin draw {} (see burin --help)", word,
                     fmt::join(words, " ")));

@@ -14,10 +14,10 @@
 namespace burin {
 namespace {
 
-constexpr double kCommon = 1, kUsual = 0.9, kBesideCapital = 0.7, kForeign = 0.75, kOdd = 0.3,
-                 kHardly = 0.05;
+constexpr double kCommonLetter = 1, kUsualLetter = 0.9, kBesideCapital = 0.7, kForeign = 0.75,
+                 kOddLetter = 0.3, kHardly = 0.05;
 // Between two alphabets whose marks are nearer than this uchardet decides.
-constexpr double kNear = 0.1;
+constexpr double kNearAlphabets = 0.1;
 // No word of Latin letters has so many accents in a row; what has is of other letters.
 constexpr int kLongRun = 4;
 constexpr double kSlack = 1e-9;  // of sums
@@ -90,37 +90,38 @@ struct Place {
   int run = 0;
 };
 
-bool is_plain(std::uint8_t c) { return c < 0x80 && is_letter(static_cast<char>(c)); }
+bool is_plain_letter(std::uint8_t c) { return c < 0x80 && is_letter(static_cast<char>(c)); }
 
 /// Degree, micro, diameter, powers and the like, where they stand as signs.
 bool is_sign(const Place& p) {
   constexpr std::string_view kSigns = "\xb0\xb5\xb1\xd8\xd7\xb2\xb3\xf8";
   if (kSigns.find(static_cast<char>(p.at)) == std::string_view::npos) return false;
   const bool power = p.at == 0xb2 || p.at == 0xb3;
-  return p.before < 0x80 && p.after < 0x80 && !(power && is_plain(p.after));
+  return p.before < 0x80 && p.after < 0x80 && !(power && is_plain_letter(p.after));
 }
 
 /// Of letters that stand among those of ASCII.
 double latin(const Letters& letters, const Place& p) {
   if (p.run >= kLongRun) return kHardly;
-  if (is_sign(p)) return kCommon;
+  if (is_sign(p)) return kCommonLetter;
   const Case before = letters.cases[p.before], at = letters.cases[p.at],
              after = letters.cases[p.after];
-  if (at == Case::None) return kOdd;
+  if (at == Case::None) return kOddLetter;
   if (letters.foreign[p.at]) return kForeign;
-  if (at == Case::Small) return p.after >= 0x80 && after != Case::Small ? kOdd : kCommon;
-  if (before == Case::Small || (after == Case::None && before == Case::None)) return kOdd;
-  if (p.after < 0x80) return kCommon;
-  return after == Case::Small && p.run == 2 ? kBesideCapital : kOdd;
+  if (at == Case::Small)
+    return p.after >= 0x80 && after != Case::Small ? kOddLetter : kCommonLetter;
+  if (before == Case::Small || (after == Case::None && before == Case::None)) return kOddLetter;
+  if (p.after < 0x80) return kCommonLetter;
+  return after == Case::Small && p.run == 2 ? kBesideCapital : kOddLetter;
 }
 
 /// Of alphabets of their own: capitals begin words, or are among themselves.
 double own(const Letters& letters, const Place& p) {
   const Case before = letters.cases[p.before], at = letters.cases[p.at];
   if (at == Case::None) return kHardly;
-  if (is_plain(p.before) || is_plain(p.after)) return kOdd;
-  if (letters.foreign[p.at]) return kOdd;
-  return at == Case::Capital && before == Case::Small ? kHardly : kUsual;
+  if (is_plain_letter(p.before) || is_plain_letter(p.after)) return kOddLetter;
+  if (letters.foreign[p.at]) return kOddLetter;
+  return at == Case::Capital && before == Case::Small ? kHardly : kUsualLetter;
 }
 
 /// Calls `one(place)` for each byte from 0x80 on.
@@ -139,7 +140,7 @@ void for_high_bytes(const std::vector<std::string>& texts, const F& one) {
   }
 }
 
-double mark(std::size_t which, const std::vector<std::string>& texts) {
+double mark_of_alphabet(std::size_t which, const std::vector<std::string>& texts) {
   static const auto all = [] {
     std::array<Letters, Count> made;
     std::ranges::transform(kAlphabets, made.begin(), letters_of);
@@ -153,8 +154,9 @@ double mark(std::size_t which, const std::vector<std::string>& texts) {
     ++count;
   });
   const double mean = count > 0 ? sum / count : 0;
-  return is_own && count >= kManyLetters && mean > kUsual - kNear ? mean * kNoChance / kUsual
-                                                                  : mean;
+  return is_own && count >= kManyLetters && mean > kUsualLetter - kNearAlphabets
+             ? mean * kNoChance / kUsualLetter
+             : mean;
 }
 
 /// Of alphabets that are not in the table, and Central Europe where the letters are as usual in
@@ -194,9 +196,9 @@ std::string detected_encoding(const std::vector<std::string>& texts, int times) 
 
 AlphabetGuess guess_alphabet(const std::vector<std::string>& texts) {
   std::array<double, Count> marks{};
-  for (std::size_t k = 0; k < Count; ++k) marks[k] = mark(k, texts);
+  for (std::size_t k = 0; k < Count; ++k) marks[k] = mark_of_alphabet(k, texts);
   const auto best = static_cast<std::size_t>(std::ranges::max_element(marks) - marks.begin());
-  const auto near = [&](std::size_t k) { return marks[k] > marks[best] - kNear; };
+  const auto near = [&](std::size_t k) { return marks[k] > marks[best] - kNearAlphabets; };
   const std::string found = detected_encoding(texts, 1);
   if (near(Western)) return {guess_by_uchardet(texts, found), marks[best], true};
   const auto is = [&](std::size_t k) {

@@ -17,7 +17,7 @@ namespace {
 
 std::filesystem::path beside_libburin(const char* file) { return library_folder() / file; }
 
-[[noreturn]] void fail(const LibraryWords& words, const std::string& why) {
+[[noreturn]] void fail_library(const LibraryWords& words, const std::string& why) {
   throw Error(fmt::format("the library that {} cannot be used: {}; install it beside libburin, {}",
                           words.purpose, why, words.remedy));
 }
@@ -32,10 +32,10 @@ void* library_entry(const char* file, const char* entry, const LibraryWords& wor
     for (const char* sign : {"failed to map segment", "annot allocate memory"}) {
       if (why.find(sign) != std::string::npos) throw std::bad_alloc();
     }
-    fail(words, why);
+    fail_library(words, why);
   }
   void* found = platform::symbol_in(library, entry);
-  if (!found) fail(words, path.string() + " is no such library");
+  if (!found) fail_library(words, path.string() + " is no such library");
   return found;
 }
 
@@ -43,8 +43,8 @@ std::string program_beside(const char* file) { return beside_libburin(file).stri
 
 void check_library_version(const char* file, const char* found, const LibraryWords& words) {
   if (std::strcmp(found, version()) == 0) return;
-  fail(words, fmt::format("{} is version {}, this program is version {}",
-                          beside_libburin(file).string(), found, version()));
+  fail_library(words, fmt::format("{} is version {}, this program is version {}",
+                                  beside_libburin(file).string(), found, version()));
 }
 
 }  // namespace burin

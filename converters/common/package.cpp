@@ -24,17 +24,20 @@ std::size_t largest_member() {
   return memory == 0 ? std::size_t{1} << 29 : static_cast<std::size_t>(memory / kShareOfMemory);
 }
 
-struct CloseArchive {
-  void operator()(zip_t* z) const { zip_discard(z); }
-};
 struct CloseMember {
   void operator()(zip_file_t* f) const { zip_fclose(f); }
 };
 
 }  // namespace
 
+namespace detail {
+struct CloseArchive {
+  void operator()(zip_t* z) const { zip_discard(z); }
+};
+}  // namespace detail
+
 struct Package::Impl {
-  std::unique_ptr<zip_t, CloseArchive> archive;
+  std::unique_ptr<zip_t, detail::CloseArchive> archive;
 
   zip_int64_t locate(const std::string& name) const {
     const char* n = name.c_str();
@@ -129,7 +132,7 @@ std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& 
     throw OutputError(fmt::format("no zip archive can be made: {}", why));
   };
   if (whole == nullptr) fail(zip_error_strerror(&error));
-  std::unique_ptr<zip_t, CloseArchive> archive(
+  std::unique_ptr<zip_t, detail::CloseArchive> archive(
       zip_open_from_source(whole, ZIP_CREATE | ZIP_TRUNCATE, &error));
   if (!archive) fail(zip_error_strerror(&error));
   zip_source_keep(whole);  // it outlives the archive, to be read

@@ -64,7 +64,7 @@ FileBytes copied(std::string_view bytes) {
   return out;
 }
 
-[[noreturn]] void fail(const std::string& file, const std::string& what) {
+[[noreturn]] void fail_file(const std::string& file, const std::string& what) {
   throw InputError(what, file);
 }
 
@@ -74,17 +74,17 @@ FileBytes read_file(const std::filesystem::path& path, const RunContext& context
   if (in.get() < 0) {
     const int error = errno;
     if (error == ENOENT || error == ENOTDIR) throw MissingFile(reason(error), file);
-    fail(file, reason(error));
+    fail_file(file, reason(error));
   }
   platform::FileState state;
-  if (!platform::state_of(in.get(), state)) fail(file, reason(errno));
-  if (state.kind == platform::FileKind::Folder) fail(file, "is a folder; name a file in it");
+  if (!platform::state_of(in.get(), state)) fail_file(file, reason(errno));
+  if (state.kind == platform::FileKind::Folder) fail_file(file, "is a folder; name a file in it");
   if (state.kind != platform::FileKind::Regular) {
-    fail(file, "is not a regular file; save the data to one first");
+    fail_file(file, "is not a regular file; save the data to one first");
   }
   const auto size = static_cast<std::size_t>(state.size);
   if (size > half_of_memory()) {
-    fail(file, fmt::format("holds {} bytes, more than half of this machine's memory", size));
+    fail_file(file, fmt::format("holds {} bytes, more than half of this machine's memory", size));
   }
   FileBytes out{std::make_unique_for_overwrite<char[]>(size + 1), 0};
   constexpr std::size_t kPiece = std::size_t{8} << 20;  // a poll for cancellation every few ms
@@ -92,7 +92,7 @@ FileBytes read_file(const std::filesystem::path& path, const RunContext& context
     context.check();
     const std::ptrdiff_t got =
         platform::read_some(in.get(), out.data.get() + out.size, std::min(kPiece, size - out.size));
-    if (got < 0) fail(file, reason(errno));
+    if (got < 0) fail_file(file, reason(errno));
     if (got == 0) break;  // the file shrank meanwhile
     out.size += static_cast<std::size_t>(got);
   }
@@ -108,7 +108,7 @@ FileBytes bytes_of(const std::filesystem::path& path, const RunContext& context)
     InputFiles::opens(path);
     out = read_file(path, context);
   }
-  if (out.size == 0) fail(path.string(), "is empty; export the model again");
+  if (out.size == 0) fail_file(path.string(), "is empty; export the model again");
   return out;
 }
 
@@ -123,12 +123,13 @@ FileBytes unpacked(const FileBytes& packed, const std::string& file, const RunCo
   const auto in = unpacked_bytes(packed.text(), file, context);
   const std::string text = take(*in, most + 1, context);
   if (text.size() > most) {
-    fail(file, fmt::format(
-                   "is packed by gzip and holds over {} bytes in {}; it is damaged or hostile, or "
-                   "too large for this machine, and was not unpacked",
-                   most, packed.size));
+    fail_file(
+        file,
+        fmt::format("is packed by gzip and holds over {} bytes in {}; it is damaged or hostile, or "
+                    "too large for this machine, and was not unpacked",
+                    most, packed.size));
   }
-  if (text.empty()) fail(file, "is packed by gzip and holds nothing; export the model again");
+  if (text.empty()) fail_file(file, "is packed by gzip and holds nothing; export the model again");
   return copied(text);
 }
 

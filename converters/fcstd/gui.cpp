@@ -15,7 +15,7 @@ namespace burin::detail {
 namespace {
 
 /// "#rrggbb" of R<<24 | G<<16 | B<<8 | A.
-std::string hex(std::uint32_t packed) { return fmt::format("#{:06x}", packed >> 8); }
+std::string hex_color(std::uint32_t packed) { return fmt::format("#{:06x}", packed >> 8); }
 
 double opacity_of(double transparency) {
   return std::isfinite(transparency) ? 1 - std::clamp(transparency, 0.0, 1.0) : 1;
@@ -23,7 +23,7 @@ double opacity_of(double transparency) {
 
 std::string packed_color(const pugi::xml_node& node, const char* attribute) {
   const double value = number(node, attribute, -1);
-  return value >= 0 && value <= 4294967295.0 ? hex(static_cast<std::uint32_t>(value))
+  return value >= 0 && value <= 4294967295.0 ? hex_color(static_cast<std::uint32_t>(value))
                                              : std::string();
 }
 
@@ -32,7 +32,7 @@ std::string packed_color(const pugi::xml_node& node, const char* attribute) {
 class CommonLook {
  public:
   void add(std::uint32_t packed, double transparency) {
-    looks_.push_back({hex(packed), opacity_of(transparency)});
+    looks_.push_back({hex_color(packed), opacity_of(transparency)});
     opacity_ = std::max(opacity_, looks_.back().opacity);
   }
   bool empty() const { return looks_.empty(); }

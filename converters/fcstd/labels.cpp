@@ -10,7 +10,7 @@ namespace burin::detail {
 namespace {
 
 // Containers in containers; they may hold themselves.
-constexpr int kDeepest = 100;
+constexpr int kDeepestContainer = 100;
 
 /// What objects of any type are called until a person says otherwise, those that come from STEP and
 /// IGES among them.
@@ -124,7 +124,7 @@ bool is_meaningless(const FcObject& object) {
 
 std::string given_name(const FcDocument& document, const FcObject& object) {
   const FcObject* o = &object;
-  for (int depth = 0; depth < kDeepest; ++depth) {
+  for (int depth = 0; depth < kDeepestContainer; ++depth) {
     if (!is_meaningless(*o)) return o->label;
     o = document.holder(*o);
     if (o == nullptr || !shows_one(document, *o)) break;

@@ -45,7 +45,7 @@ sys.stdout.flush()
 os._exit(status)
 )";
 
-std::string hex(const std::string& text) {
+std::string hex_text(const std::string& text) {
   std::string out;
   for (const char c : text) out += fmt::format("{:02x}", static_cast<unsigned char>(c));
   return out;
@@ -91,8 +91,9 @@ Path recompute(const Path& document, double timeout, const TemporaryFolder& fold
                Diagnostics& diagnostics, RunContext& context) {
   Path copy = folder.path() / "copy.FCStd";
   const Path script = folder.path() / "recompute_copy.py";
-  std::ofstream(script) << fmt::format(
-      fmt::runtime(kScript), hex(std::filesystem::absolute(document).string()), hex(copy.string()));
+  std::ofstream(script) << fmt::format(fmt::runtime(kScript),
+                                       hex_text(std::filesystem::absolute(document).string()),
+                                       hex_text(copy.string()));
   std::string reason, last;
   SubprocessRun run;
   run.folder = folder.path().string();

@@ -13,7 +13,7 @@
 namespace burin::detail {
 namespace {
 
-constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kDeepestLink = 100;
 constexpr std::size_t kMostDocuments = 200;
 
 }  // namespace
@@ -135,7 +135,8 @@ FcWalk::Place FcWalk::place_of(std::int32_t number) const {
 void FcWalk::visit(const FcDocument& document, std::int32_t number, const Place& place) {
   context_.check();
   const FcObject& object = document.objects()[static_cast<std::size_t>(number)];
-  if (std::find(path_.begin(), path_.end(), &object) != path_.end() || path_.size() > kDeepest) {
+  if (std::find(path_.begin(), path_.end(), &object) != path_.end() ||
+      path_.size() > kDeepestLink) {
     note("fcstd.cycle", object.label + ": a group or link holds itself; it was left out there");
     return;
   }

@@ -16,9 +16,9 @@ namespace burin::irit {
 namespace {
 
 /// Lists and instances in each other; the stack holds many more.
-constexpr std::size_t kMaxDepth = 400;
+constexpr std::size_t kDeepestInstance = 400;
 /// Instances of instances of instances multiply: a kilobyte could ask for terabytes.
-constexpr std::size_t kMostPoints = 5'000'000;
+constexpr std::size_t kMostInstancePoints = 5'000'000;
 
 bool has_instance(const IritObject& object) {
   const auto is_instance = [](const IritItem& item) {
@@ -87,10 +87,10 @@ void Resolver::add_names(const IritObject& object) {
 void Resolver::count(const IritObject& object, const IritInstance& instance) {
   ++points_;
   for (const IritItem& item : object.items) points_ += 1 + points_of(item);
-  if (points_ > kMostPoints) {
+  if (points_ > kMostInstancePoints) {
     fail(instance, fmt::format("the instances up to this one make more than {} control points; "
                                "leave some out",
-                               kMostPoints));
+                               kMostInstancePoints));
   }
   for (const IritObject& child : object.objects) count(child, instance);
 }
@@ -126,9 +126,9 @@ void Resolver::add(IritObject& object, const IritInstance& instance) {
 
 IritObject Resolver::resolved(const IritObject& object) {
   source_.context().check();
-  if (within_.size() > kMaxDepth) {
+  if (within_.size() > kDeepestInstance) {
     throw InputError(
-        fmt::format("lists and instances lie more than {} deep in each other", kMaxDepth),
+        fmt::format("lists and instances lie more than {} deep in each other", kDeepestInstance),
         source_.file(), object.line);
   }
   within_.push_back(&object);

@@ -17,8 +17,8 @@ struct NumberKind {
 constexpr NumberKind kNumberKinds[] = {
     {"NUMBER", 1}, {"POINT", 3}, {"VECTOR", 3}, {"PLANE", 4}, {"MATRIX", 16}};
 
-constexpr std::string_view kUnread[] = {"TRISRF",  "MULTIVAR",   "TRIMMODEL", "VMODEL",
-                                        "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
+constexpr std::string_view kUnreadTypes[] = {"TRISRF",  "MULTIVAR",   "TRIMMODEL", "VMODEL",
+                                             "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
 constexpr std::string_view kOther[] = {"SURFACE",   "CURVE",    "POLYGON", "POLYLINE",
                                        "POINTLIST", "STRING",   "OBJECT",  "TRIVAR",
                                        "POLYSTRIP", "INSTANCE", "TRIMSRF", "MODEL"};
@@ -71,7 +71,7 @@ IritPolygon read_polygon(Lexer& in, IritPolygon::Kind kind) {
 
 bool is_item(std::string_view keyword) {
   const auto same = [&](std::string_view k) { return k == keyword; };
-  return std::ranges::any_of(kUnread, same) || std::ranges::any_of(kOther, same) ||
+  return std::ranges::any_of(kUnreadTypes, same) || std::ranges::any_of(kOther, same) ||
          std::ranges::any_of(kNumberKinds, [&](const NumberKind& k) { return same(k.keyword); });
 }
 

@@ -10,15 +10,15 @@ namespace {
 /// Of a polygon that has an area.
 constexpr std::size_t kLeastCorners = 3;
 
-constexpr const char* kUnread = "irit.unread";
+constexpr const char* kUnreadCode = "irit.unread";
 constexpr const char* kNoSurface = "irit.no_surface";
 constexpr const char* kNoOriginal = "irit.no_original";
 constexpr const char* kInvisible = "irit.invisible";
 
-struct Words {
+struct LeftoverWords {
   std::string_view keyword, words;
 };
-constexpr Words kWords[] = {
+constexpr LeftoverWords kWords[] = {
     {"TRIMSRF", "trimmed surface"},  {"MODEL", "model of trimmed surfaces"},
     {"VMODEL", "volumetric model"},  {"TRIMMODEL", "model of trimmed surfaces"},
     {"TRIVAR", "trivariate volume"}, {"MULTIVAR", "multivariate function"},
@@ -29,7 +29,7 @@ struct Why {
   Severity severity;
 };
 constexpr Why kWhy[] = {
-    {kUnread, "is not yet read and was left out", Severity::Warning},
+    {kUnreadCode, "is not yet read and was left out", Severity::Warning},
     {kNoOriginal, "was left out: the file has no object of that name", Severity::Warning},
     {kNoSurface, "is no surface and was left out", Severity::Warning},
     {kInvisible, "were left out", Severity::Info}};
@@ -38,8 +38,8 @@ const Why& why_of(std::string_view code) { return *std::ranges::find(kWhy, code,
 
 std::string in_words(const std::string& what) {
   // "TRIVAR of points E3" is named by its first word.
-  const auto* it =
-      std::ranges::find(kWords, std::string_view(what).substr(0, what.find(' ')), &Words::keyword);
+  const auto* it = std::ranges::find(kWords, std::string_view(what).substr(0, what.find(' ')),
+                                     &LeftoverWords::keyword);
   return it == std::end(kWords) ? what : fmt::format("{} ({})", what, it->words);
 }
 
@@ -56,7 +56,7 @@ void Leftovers::add(const IritItem& item, std::int64_t object_line) {
   constexpr std::size_t kMaxKinds = 50;
   const bool many = kinds_.size() >= kMaxKinds;
   if (const auto* unread = std::get_if<IritUnread>(&item)) {
-    count(kUnread, many ? "other blocks" : in_words(unread->what), unread->line);
+    count(kUnreadCode, many ? "other blocks" : in_words(unread->what), unread->line);
   } else if (const auto* instance = std::get_if<IritInstance>(&item)) {
     count(kNoOriginal, many ? "other INSTANCE" : fmt::format("INSTANCE of {}", instance->of),
           instance->place.line);
@@ -90,7 +90,7 @@ std::string Leftovers::nothing_else() const {
   std::string all;
   bool unread = false;
   for (const Kind& kind : kinds_) {
-    unread |= kind.code == kUnread;
+    unread |= kind.code == kUnreadCode;
     all += fmt::format("{}{} {}", all.empty() ? "" : ", ", kind.count, kind.what);
   }
   return unread ? fmt::format(

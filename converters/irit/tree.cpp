@@ -13,7 +13,7 @@ namespace irit {
 namespace {
 
 /// Deeper lists than this are no scenes; the reader's stack holds many more.
-constexpr int kMaxDepth = 200;
+constexpr int kDeepestList = 200;
 
 class TreeReader {
  public:
@@ -40,8 +40,9 @@ void TreeReader::content(IritObject& object, const Token& open, int depth) {
     object.items.push_back(read_item(in_, keyword));
     return;
   }
-  if (depth >= kMaxDepth) {
-    in_.fail(keyword, fmt::format("lists lie more than {} deep; the file is damaged", kMaxDepth));
+  if (depth >= kDeepestList) {
+    in_.fail(keyword,
+             fmt::format("lists lie more than {} deep; the file is damaged", kDeepestList));
   }
   object.objects.push_back(this->object(keyword, depth + 1));
 }

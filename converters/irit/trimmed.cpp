@@ -16,7 +16,7 @@ namespace burin::irit {
 namespace {
 
 /// Loops of models name their curves by numbers: a kilobyte could ask for gigabytes.
-constexpr std::size_t kMostPoints = 5'000'000;
+constexpr std::size_t kMostLoopPoints = 5'000'000;
 
 TrimCurve trim_curve(IritCurve curve) {
   TrimCurve out{curve.degree, std::move(curve.knots), {}, std::move(curve.weights)};
@@ -214,10 +214,10 @@ void TrimmedReader::resolve(const ModelLoop& loop) {
     in_.source().context().check();
     const TrimCurve& curve = curve_of(loop, number);
     points_ += curve.points.size();
-    if (points_ > kMostPoints) {
+    if (points_ > kMostLoopPoints) {
       fail_at(in_.source().file(), loop.place,
               fmt::format("the loops up to this one have more than {} points; split the model",
-                          kMostPoints));
+                          kMostLoopPoints));
     }
     out.curves.push_back(number > 0 ? curve : turned(curve));
   }

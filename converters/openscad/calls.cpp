@@ -13,11 +13,11 @@ namespace burin::detail {
 namespace {
 
 // The first point of a mark; no mark of burin.scad, and no point that a model would have.
-constexpr std::array kSign = {0.161803, 0.577216, 0.693147};
+constexpr std::array kCallSign = {0.161803, 0.577216, 0.693147};
 // The first number of a call: all have six digits, so that what is alike has texts alike.
 constexpr std::size_t kFirstNumber = 100'000, kMostCalls = 800'000;
 // Statements within each other: more is no program that anyone has written.
-constexpr int kDeepest = 200;
+constexpr int kDeepestStatement = 200;
 
 /// OpenSCAD's modules that show their children as they are, each for itself.
 bool keeps_apart(std::string_view name) {
@@ -48,7 +48,7 @@ class Marker {
 
   /// One statement, to behind its end; false where it is none. `report`: calls in it are marked.
   bool statement(bool report) {
-    if (depth_ == kDeepest) return false;
+    if (depth_ == kDeepestStatement) return false;
     ++depth_;
     const bool good = any(report);
     --depth_;
@@ -124,8 +124,8 @@ class Marker {
 
   void mark(std::size_t start, std::string_view module) {
     insertions_.push_back(
-        {start, fmt::format("group(){{polyhedron([[{},{},{}],[{},0,0]],[]);", kSign[0], kSign[1],
-                            kSign[2], kFirstNumber + out_.calls.size())});
+        {start, fmt::format("group(){{polyhedron([[{},{},{}],[{},0,0]],[]);", kCallSign[0],
+                            kCallSign[1], kCallSign[2], kFirstNumber + out_.calls.size())});
     insertions_.push_back({text_.at(), "}"});
     out_.calls.push_back({std::string(name_), std::string(module), in_module_});
   }
@@ -160,7 +160,7 @@ std::int32_t mark_of(const csg::Node& node, std::size_t calls) {
   const auto& sign = points->list[0].list;
   if (sign.size() != 3 || points->list[1].list.empty()) return -1;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(sign[i].number - kSign[i]) > 1e-9) return -1;
+    if (std::abs(sign[i].number - kCallSign[i]) > 1e-9) return -1;
   }
   const double number = points->list[1].list[0].number - static_cast<double>(kFirstNumber);
   return number >= 0 && number < static_cast<double>(calls) ? static_cast<std::int32_t>(number)

@@ -30,9 +30,10 @@ struct Unit {
   bool touching_is_one = false;
 };
 
-class Finder {
+class InstanceFinder {
  public:
-  Finder(const csg::Tree& tree, const TreeCalls& calls, const std::set<std::uint32_t>& repeated)
+  InstanceFinder(const csg::Tree& tree, const TreeCalls& calls,
+                 const std::set<std::uint32_t>& repeated)
       : tree_(tree), calls_(calls), repeated_(repeated) {
     holds_.assign(tree.nodes.size(), 0);
     for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
@@ -227,7 +228,7 @@ class Divisions {
   SolidStore& store_;
   Diagnostics& diagnostics_;
   CallParts accepted_;
-  Finder finder_;
+  InstanceFinder finder_;
 };
 
 }  // namespace

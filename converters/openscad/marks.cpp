@@ -14,11 +14,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first point of a mark; burin.scad writes the same digits.
-constexpr std::array kSign = {0.271828, 0.314159, 0.141421};
+constexpr std::array kMarkSign = {0.271828, 0.314159, 0.141421};
 // What a point of a mark begins with: the kind of the value that follows.
-enum class Kind : std::uint8_t { Undef, Bool, Number, Text, List };
+enum class ValueKind : std::uint8_t { Undef, Bool, Number, Text, List };
 constexpr double kLargestCode = 0x10ffff;
-constexpr int kDeepest = 8;
+constexpr int kDeepestList = 8;
 
 /// A character as UTF-8.
 void append(std::string& text, std::uint32_t code) {
@@ -48,20 +48,20 @@ class Decoder {
 
   bool value(Json& out, int depth = 0) {
     std::array<double, 2> p{};
-    if (depth > kDeepest || !point(p)) return false;
-    if (!(p[0] >= 0 && p[0] <= static_cast<double>(Kind::List))) return false;
-    switch (static_cast<Kind>(static_cast<int>(p[0]))) {
-      case Kind::Undef:
+    if (depth > kDeepestList || !point(p)) return false;
+    if (!(p[0] >= 0 && p[0] <= static_cast<double>(ValueKind::List))) return false;
+    switch (static_cast<ValueKind>(static_cast<int>(p[0]))) {
+      case ValueKind::Undef:
         return true;
-      case Kind::Bool:
+      case ValueKind::Bool:
         out = p[1] != 0;
         return true;
-      case Kind::Number:
+      case ValueKind::Number:
         out = p[1];
         return true;
-      case Kind::Text:
+      case ValueKind::Text:
         return text(out, p[1]);
-      case Kind::List:
+      case ValueKind::List:
         return list(out, p[1], depth);
     }
     return false;
@@ -106,7 +106,7 @@ class Decoder {
 bool signed_by_us(const csg::Value& point) {
   if (point.list.size() != 3) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(point.list[i].number - kSign[i]) > 1e-9) return false;
+    if (std::abs(point.list[i].number - kMarkSign[i]) > 1e-9) return false;
   }
   return true;
 }

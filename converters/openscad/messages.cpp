@@ -12,19 +12,19 @@
 namespace burin::detail {
 namespace {
 
-struct Kind {
+struct MessageKind {
   std::string_view prefix;
   Severity severity;
 };
-constexpr std::array<Kind, 9> kKinds{{{"ERROR: ", Severity::Error},
-                                      {"EXPORT-ERROR: ", Severity::Error},
-                                      {"Can't open input file", Severity::Error},
-                                      {"WARNING: ", Severity::Warning},
-                                      {"EXPORT-WARNING: ", Severity::Warning},
-                                      {"UI-WARNING: ", Severity::Warning},
-                                      {"FONT-WARNING: ", Severity::Warning},
-                                      {"DEPRECATED: ", Severity::Warning},
-                                      {"ECHO: ", Severity::Info}}};
+constexpr std::array<MessageKind, 9> kKinds{{{"ERROR: ", Severity::Error},
+                                             {"EXPORT-ERROR: ", Severity::Error},
+                                             {"Can't open input file", Severity::Error},
+                                             {"WARNING: ", Severity::Warning},
+                                             {"EXPORT-WARNING: ", Severity::Warning},
+                                             {"UI-WARNING: ", Severity::Warning},
+                                             {"FONT-WARNING: ", Severity::Warning},
+                                             {"DEPRECATED: ", Severity::Warning},
+                                             {"ECHO: ", Severity::Info}}};
 
 constexpr std::size_t kLongestText = 300;
 /// Of one remark; a quote that never closes swallows no more.
@@ -68,8 +68,8 @@ std::string in_folder(const std::string& folder, const std::string& file) {
 }
 
 bool Messages::begin(const std::string& line) {
-  const auto kind =
-      std::ranges::find_if(kKinds, [&](const Kind& k) { return line.starts_with(k.prefix); });
+  const auto kind = std::ranges::find_if(
+      kKinds, [&](const MessageKind& k) { return line.starts_with(k.prefix); });
   if (kind == kKinds.end()) return false;
   end();
   Remark remark;

@@ -15,7 +15,7 @@ namespace burin::detail {
 namespace {
 
 // The tree is written with six digits: places that differ by less are one.
-constexpr double kDigits = 1e6;
+constexpr double kComparedDigits = 1e6;
 
 using Place = std::array<std::int64_t, 12>;
 
@@ -23,7 +23,7 @@ Place place_of(const csg::Matrix& m) {
   Place out{};
   std::size_t i = 0;
   for (const auto& row : m.row) {
-    for (const double x : row) out[i++] = std::llround(kDigits * x);
+    for (const double x : row) out[i++] = std::llround(kComparedDigits * x);
   }
   return out;
 }
@@ -38,9 +38,9 @@ struct Scope {
   bool plain = true;
 };
 
-class Finder {
+class RepeatFinder {
  public:
-  Finder(const csg::Tree& tree, const TreeCalls& calls) : tree_(tree), calls_(calls) {}
+  RepeatFinder(const csg::Tree& tree, const TreeCalls& calls) : tree_(tree), calls_(calls) {}
 
   std::set<std::uint32_t> run() {
     for (std::uint32_t n = 0; n < tree_.nodes.size();) {
@@ -87,7 +87,7 @@ class Finder {
 }  // namespace
 
 std::set<std::uint32_t> repeated_calls(const csg::Tree& tree, const TreeCalls& calls) {
-  return Finder(tree, calls).run();
+  return RepeatFinder(tree, calls).run();
 }
 
 }  // namespace burin::detail

@@ -20,7 +20,7 @@ namespace burin::detail {
 namespace {
 
 // What six digits leave of a matrix, and of the product of eight within each other: shares of 1.
-constexpr double kDigits = 3e-6, kDigitsOfMany = 1.5e-5;
+constexpr double kStoredDigits = 3e-6, kDigitsOfMany = 1.5e-5;
 
 /// The scale that was meant, where one of three or four digits is as near: copies of one thing are
 /// of one size, whichever way they are turned.
@@ -29,7 +29,7 @@ double meant_scale(double scale) {
     return std::abs(scale - meant) <= digits * scale;
   };
   const double three = std::round(1e3 * scale) / 1e3, four = std::round(1e4 * scale) / 1e4;
-  return near(three, kDigitsOfMany) ? three : near(four, kDigits) ? four : scale;
+  return near(three, kDigitsOfMany) ? three : near(four, kStoredDigits) ? four : scale;
 }
 
 /// A placement within what six digits leave of its matrices; nothing where it does more than turn,

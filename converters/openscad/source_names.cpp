@@ -8,7 +8,7 @@ namespace burin::detail {
 namespace {
 
 // Blocks within each other that are looked into: each is read once for every one around it.
-constexpr int kDeepest = 8;
+constexpr int kDeepestBlock = 8;
 
 /// One statement that may make an object.
 struct Statement {
@@ -81,7 +81,7 @@ class Scanner {
   std::string name_in_block(int depth) {
     const ProgramText here = text_;
     std::vector<Statement> inside;
-    bool good = depth < kDeepest && text_.take('{');
+    bool good = depth < kDeepestBlock && text_.take('{');
     for (text_.skip(); good && !text_.at_end() && text_.here() != '}'; text_.skip()) {
       good = add_statement(inside, depth + 1) && inside.size() < 2;
     }

@@ -15,34 +15,34 @@
 namespace burin {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json vector_of(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+OrderedJson vector_of(Vec3 v) { return OrderedJson::array({v.x, v.y, v.z}); }
 
 /// Both revisions' numbers; null where there is none.
 template <class Get>
-Json pair_of(const PartDifference& part, const Get& get) {
-  Json both = Json::array();
+OrderedJson pair_of(const PartDifference& part, const Get& get) {
+  OrderedJson both = OrderedJson::array();
   for (const auto* numbers : {&part.numbers_before, &part.numbers_after}) {
-    both.push_back(*numbers ? Json(get(**numbers)) : Json());
+    both.push_back(*numbers ? OrderedJson(get(**numbers)) : OrderedJson());
   }
   return both;
 }
 
-Json json_of(const PartDifference& part, int item) {
-  Json json;
+OrderedJson json_of(const PartDifference& part, int item) {
+  OrderedJson json;
   json["item"] = item;
   json["change"] = to_string(part.change());
-  Json changes = Json::array();
+  OrderedJson changes = OrderedJson::array();
   for (const PartChange change : part.changes()) changes.push_back(to_string(change));
   json["changes"] = changes;
-  json["old"] = part.numbers_before ? Json(part.before) : Json();
-  json["new"] = part.numbers_after ? Json(part.after) : Json();
+  json["old"] = part.numbers_before ? OrderedJson(part.before) : OrderedJson();
+  json["new"] = part.numbers_after ? OrderedJson(part.after) : OrderedJson();
   if (part.motion) {
-    Json moved;
+    OrderedJson moved;
     moved["distance"] = glm::length(part.motion->by);
     moved["by"] = vector_of(part.motion->by);
-    moved["degrees"] = part.motion->degrees ? Json(*part.motion->degrees) : Json();
+    moved["degrees"] = part.motion->degrees ? OrderedJson(*part.motion->degrees) : OrderedJson();
     moved["axis"] = vector_of(part.motion->axis);
     json["moved"] = moved;
   }
@@ -53,22 +53,22 @@ Json json_of(const PartDifference& part, int item) {
   json["middle"] = pair_of(part, [](const PartNumbers& n) { return vector_of(n.middle); });
   json["faces"] = pair_of(part, [](const PartNumbers& n) { return n.faces; });
   if (part.match.look) {
-    json["color"] = Json::array({part.color_before, part.color_after});
-    json["opacity"] = Json::array({part.opacity_before, part.opacity_after});
+    json["color"] = OrderedJson::array({part.color_before, part.color_after});
+    json["opacity"] = OrderedJson::array({part.opacity_before, part.opacity_after});
     json["face_colors"] = part.match.face_colors;
-    json["drawn"] = Json::array({part.drawn_before, part.drawn_after});
+    json["drawn"] = OrderedJson::array({part.drawn_before, part.drawn_after});
   }
   return json;
 }
 
-Json json_of(const Difference& difference) {
-  Json json;
+OrderedJson json_of(const Difference& difference) {
+  OrderedJson json;
   json["tolerance"]["place"] = difference.tolerance.place;
   json["tolerance"]["shape"] = difference.tolerance.shape;
   for (std::size_t i = 0; i < kPartChanges; ++i) {
     json["counts"][to_string(static_cast<PartChange>(i))] = difference.counts[i];
   }
-  json["parts"] = Json::array();
+  json["parts"] = OrderedJson::array();
   int item = 0;
   for (const PartDifference& part : difference.parts) {
     json["parts"].push_back(json_of(part, ++item));
@@ -76,24 +76,24 @@ Json json_of(const Difference& difference) {
   return json;
 }
 
-Json json_of(const std::vector<Text>& texts) {
-  Json list = Json::array();
+OrderedJson json_of(const std::vector<Text>& texts) {
+  OrderedJson list = OrderedJson::array();
   for (const Text& text : texts) {
-    Json one;
+    OrderedJson one;
     one["text"] = text.text;
-    one["at"] = Json::array({text.at.x, text.at.y});
+    one["at"] = OrderedJson::array({text.at.x, text.at.y});
     list.push_back(one);
   }
   return list;
 }
 
-Json json_of(const InkTint& ink) {
+OrderedJson json_of(const InkTint& ink) {
   if (ink.ink.empty()) return nullptr;
   return {{"name", ink.ink}, {"tint", ink.tint}};
 }
 
-Json json_of(const LineDifference& difference) {
-  Json json;
+OrderedJson json_of(const LineDifference& difference) {
+  OrderedJson json;
   json["tolerance"]["line"] = difference.tolerance;
   json["same_sheet"] = difference.same_sheet;
   for (std::size_t i = 0; i < kLineChanges; ++i) {
@@ -101,31 +101,31 @@ Json json_of(const LineDifference& difference) {
     json["counts"][name] = difference.counts[i];
     json["lengths"][name] = difference.lengths[i];
   }
-  json["lines"] = Json::array();
+  json["lines"] = OrderedJson::array();
   for (const ChangedLine& line : difference.lines) {
-    Json one;
+    OrderedJson one;
     one["change"] = to_string(line.change);
     one["part"] = line.part;
     one["layer"] = line.layer;
     one["kind"] = to_string(line.kind);
-    one["place"] = Json::array({line.layer_index, line.path_index});
+    one["place"] = OrderedJson::array({line.layer_index, line.path_index});
     one["length"] = line.length;
     if (line.change == LineChange::Moved) one["distance"] = line.distance;
     json["lines"].push_back(one);
   }
-  json["fills"] = Json::array();
+  json["fills"] = OrderedJson::array();
   for (const ChangedFill& fill : difference.fills) {
-    Json one;
+    OrderedJson one;
     one["part"] = fill.part;
-    one["color"] = Json::array({fill.before, fill.after});
+    one["color"] = OrderedJson::array({fill.before, fill.after});
     if (!fill.ink_before.ink.empty() || !fill.ink_after.ink.empty()) {
-      one["ink"] = Json::array({json_of(fill.ink_before), json_of(fill.ink_after)});
+      one["ink"] = OrderedJson::array({json_of(fill.ink_before), json_of(fill.ink_after)});
     }
     one["size"] = fill.size;
-    one["at"] = Json::array({fill.at.x, fill.at.y});
+    one["at"] = OrderedJson::array({fill.at.x, fill.at.y});
     json["fills"].push_back(one);
   }
-  json["inks"] = Json::array();
+  json["inks"] = OrderedJson::array();
   for (const ChangedInk& ink : difference.inks) {
     json["inks"].push_back({{"name", ink.name}, {"color", {ink.before, ink.after}}});
   }
@@ -161,7 +161,7 @@ std::string difference_text(const DiffOutcome& outcome) {
 }
 
 std::string difference_json(const DiffOutcome& outcome) {
-  Json json;
+  OrderedJson json;
   json["format"] = "burin-difference";
   json["version"] = 1;
   json["generator"] = fmt::format("burin {}", version());
@@ -170,16 +170,16 @@ std::string difference_json(const DiffOutcome& outcome) {
   json["new"] = outcome.after;
   json["same"] = outcome.same;
   json.update(outcome.models ? json_of(*outcome.models) : json_of(*outcome.lines));
-  json["diagnostics"] = Json::array();
+  json["diagnostics"] = OrderedJson::array();
   for (const Diagnostic& d : outcome.diagnostics.entries()) {
-    Json one;
+    OrderedJson one;
     one["severity"] = to_string(d.severity);
     one["code"] = d.code;
     one["count"] = d.count;
     one["message"] = d.message;
     json["diagnostics"].push_back(one);
   }
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 bool is_difference_report(const std::string& name, const Format& format) {

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 
-std::vector<RequestRow<Draft>> explode_rows() {
+std::vector<RequestRow<Draft>> explode_option_rows() {
   return {
       {{.option = {.name = "explode",
                    .meaning = "take the assembly apart: auto, or along one axis alone, x, y, z or "
@@ -61,7 +61,7 @@ void set_parts_list(Draft& draft, const Asked& asked) {
   }
 }
 
-std::vector<RequestRow<Draft>> item_rows() {
+std::vector<RequestRow<Draft>> item_option_rows() {
   return {
       {{.option = {.name = "callouts",
                    .meaning = "a number at each item, with a leader; looks: style keys callout.*",
@@ -139,8 +139,9 @@ std::vector<RequestRow<Draft>> run_rows() {
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;
-    for (const auto& group : {look_option_rows(), part_option_rows(), section_rows(),
-                              explode_rows(), item_rows(), view_rows(), sheet_rows(), run_rows()}) {
+    for (const auto& group :
+         {look_option_rows(), part_option_rows(), section_rows(), explode_option_rows(),
+          item_option_rows(), view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;

@@ -18,7 +18,7 @@ int item_number_of(const std::string& source, double number) {
 }
 
 /// As an illustration file has them.
-void add_looks(const ModelMarks& marks, std::vector<LookRequest>& looks) {
+void add_marked_looks(const ModelMarks& marks, std::vector<LookRequest>& looks) {
   for (const ModelMarks::Look& mark : marks.looks) {
     LookRequest& asked = looks.emplace_back();
     asked.look.select = {mark.part};
@@ -103,7 +103,7 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
   const bool numbered = !request.items.empty(), seen = request.has("view");
   const bool turned = request.has("up"), chosen = request.has("callouts");
   for (const ModelMarks& one : marks) {
-    add_looks(one, looks);
+    add_marked_looks(one, looks);
     check_view(one);
     // Of what only one model may ask, the last one counts.
     if (one.callouts && !chosen) request.options["callouts"] = {"true"};

@@ -13,7 +13,7 @@
 namespace burin::detail {
 namespace {
 
-using Json = nlohmann::json;
+using UnorderedJson = nlohmann::json;
 
 constexpr const char* kHighlight = "orange";
 
@@ -28,17 +28,17 @@ std::string pale(const Style& whole, double share) {
 /// on white paper pale grey. Hatching over their colours is as grey, in the tones that have it.
 std::string in_background(const Style& whole) {
   constexpr double kFill = 11 / 255.0, kLine = 115 / 255.0;
-  Json look = {{"line.color", pale(whole, kLine)},
-               {"line.outer", 0.25},
-               {"line.contour", 0.15},
-               {"line.crease", 0.12},
-               {"line.boundary", 0.15},
-               {"line.smooth", 0.09},
-               {"line.intersection", 0.12},
-               {"fill.color", pale(whole, kFill)},
-               {"fill.ink", ""},
-               {"fill.legend", false},
-               {"tone.darkest", 0.92}};
+  UnorderedJson look = {{"line.color", pale(whole, kLine)},
+                        {"line.outer", 0.25},
+                        {"line.contour", 0.15},
+                        {"line.crease", 0.12},
+                        {"line.boundary", 0.15},
+                        {"line.smooth", 0.09},
+                        {"line.intersection", 0.12},
+                        {"fill.color", pale(whole, kFill)},
+                        {"fill.ink", ""},
+                        {"fill.legend", false},
+                        {"tone.darkest", 0.92}};
   if (whole.fill.hatch.lines == FillHatch::Lines::None) {
     look["tone.steps"] = "none";
   } else {
@@ -60,7 +60,7 @@ std::string highlighted(const Style& whole, const std::string& called) {
   const std::string color =
       own_ink ? fill.color : without_name(called.empty() ? kHighlight : called);
   const Rgb rgb = rgb_of(color).value_or(Rgb{});
-  Json look = {{"fill.color", color}, {"line.outer", whole.line.contour}};
+  UnorderedJson look = {{"fill.color", color}, {"line.outer", whole.line.contour}};
   std::string ink = fill.ink;
   if (!called.empty()) ink = has_ink && !is_grey(rgb) ? "Highlight " + called : "";
   look["fill.ink"] = ink;

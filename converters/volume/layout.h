@@ -15,6 +15,12 @@
 
 namespace burin::volume {
 
+/// What a format calls a type of samples.
+struct TypeName {
+  std::string_view name;
+  SampleType type;
+};
+
 enum class Encoding : std::uint8_t { Raw, Deflate, Text, Hex };
 
 struct Layout {

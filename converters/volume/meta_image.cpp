@@ -10,13 +10,9 @@
 namespace burin::volume {
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  SampleType type;
-};
 // MET_LONG is 4 bytes in files of 32-bit and Windows programs, 8 in others: the size of the data
 // would have to decide, so it is refused.
-constexpr TypeName kTypeNames[] = {
+constexpr TypeName kMetaTypes[] = {
     {"MET_CHAR", SampleType::I8},       {"MET_UCHAR", SampleType::U8},
     {"MET_SHORT", SampleType::I16},     {"MET_USHORT", SampleType::U16},
     {"MET_INT", SampleType::I32},       {"MET_UINT", SampleType::U32},
@@ -84,8 +80,8 @@ void MetaHeader::samples() {
     }
   }
   const Field& type = fields_.need("ElementType");
-  const auto* it = std::ranges::find(kTypeNames, type.value, &TypeName::name);
-  if (it == std::end(kTypeNames)) {
+  const auto* it = std::ranges::find(kMetaTypes, type.value, &TypeName::name);
+  if (it == std::end(kMetaTypes)) {
     fields_.fail(type, fmt::format("{} is no type of samples that is read (from MET_CHAR to "
                                    "MET_DOUBLE)",
                                    in_quotes(type.value)));

@@ -11,12 +11,8 @@
 namespace burin::volume {
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  SampleType type;
-};
 // Without "signed " and " int", which may stand around shorter names.
-constexpr TypeName kTypeNames[] = {{"char", SampleType::I8},
+constexpr TypeName kNrrdTypes[] = {{"char", SampleType::I8},
                                    {"int8", SampleType::I8},
                                    {"int8_t", SampleType::I8},
                                    {"uchar", SampleType::U8},
@@ -181,8 +177,8 @@ void NrrdHeader::type() {
   if (name.size() > 4 && name.ends_with(" int") && name != "unsigned int") {
     name.resize(name.size() - 4);
   }
-  const auto* it = std::ranges::find(kTypeNames, name, &TypeName::name);
-  if (it == std::end(kTypeNames)) {
+  const auto* it = std::ranges::find(kNrrdTypes, name, &TypeName::name);
+  if (it == std::end(kNrrdTypes)) {
     fields_.fail(field, fmt::format("{} is no type of samples that is read (from uchar to double)",
                                     in_quotes(field.value)));
   }

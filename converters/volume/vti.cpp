@@ -14,15 +14,11 @@
 namespace burin::volume {
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  SampleType type;
-};
-constexpr TypeName kTypeNames[] = {{"Int8", SampleType::I8},     {"UInt8", SampleType::U8},
-                                   {"Int16", SampleType::I16},   {"UInt16", SampleType::U16},
-                                   {"Int32", SampleType::I32},   {"UInt32", SampleType::U32},
-                                   {"Int64", SampleType::I64},   {"UInt64", SampleType::U64},
-                                   {"Float32", SampleType::F32}, {"Float64", SampleType::F64}};
+constexpr TypeName kVtiTypes[] = {{"Int8", SampleType::I8},     {"UInt8", SampleType::U8},
+                                  {"Int16", SampleType::I16},   {"UInt16", SampleType::U16},
+                                  {"Int32", SampleType::I32},   {"UInt32", SampleType::U32},
+                                  {"Int64", SampleType::I64},   {"UInt64", SampleType::U64},
+                                  {"Float32", SampleType::F32}, {"Float64", SampleType::F64}};
 
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -243,8 +239,8 @@ void VtiFile::values(const pugi::xml_node& array) {
 
 void VtiFile::array(const pugi::xml_node& array) {
   const std::string_view type = array.attribute("type").as_string();
-  const auto* it = std::ranges::find(kTypeNames, type, &TypeName::name);
-  if (it == std::end(kTypeNames)) {
+  const auto* it = std::ranges::find(kVtiTypes, type, &TypeName::name);
+  if (it == std::end(kVtiTypes)) {
     fail(fmt::format("{} is no type of samples that is read", in_quotes(type)));
   }
   out_.type = it->type;

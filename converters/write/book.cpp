@@ -74,7 +74,7 @@ void write_page(const Book& book, const std::string& name, const WriteOptions& o
 }
 
 /// A name as text of Markdown, also in a table.
-std::string plain(const std::string& text) {
+std::string plain_name(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (std::string_view("\\`*_{}[]<>#|").find(c) != std::string_view::npos) out += '\\';
@@ -97,7 +97,7 @@ std::string address(const std::string& name) {
 
 std::string added_text(const NewPart& part) {
   const std::string number = part.item > 0 ? fmt::format(" ({})", part.item) : "";
-  return fmt::format("{} x {}{}", part.quantity, plain(part.name), number);
+  return fmt::format("{} x {}{}", part.quantity, plain_name(part.name), number);
 }
 
 std::string picture_of(const std::string& name, std::size_t page) {
@@ -105,17 +105,17 @@ std::string picture_of(const std::string& name, std::size_t page) {
 }
 
 std::string markdown(const Book& book, const std::string& name) {
-  std::string out = "# " + plain(title_of(book)) + "\n";
+  std::string out = "# " + plain_name(title_of(book)) + "\n";
   for (std::size_t i = 0; i < book.pages.size(); ++i) {
     const std::string heading = heading_of(book, i);
-    out += "\n## " + plain(heading) + "\n\n";
+    out += "\n## " + plain_name(heading) + "\n\n";
     for (const NewPart& part : book.pages[i].added) out += "- " + added_text(part) + "\n";
-    out += fmt::format("\n![{}]({})\n", plain(heading), address(picture_of(name, i)));
+    out += fmt::format("\n![{}]({})\n", plain_name(heading), address(picture_of(name, i)));
   }
   if (book.items.empty()) return out;
   out += "\n## Parts list\n\n| No. | Qty | Name |\n| ---: | ---: | --- |\n";
   for (const DrawingItem& item : book.items) {
-    out += fmt::format("| {} | {} | {} |\n", item.number, item.quantity(), plain(item.name));
+    out += fmt::format("| {} | {} | {} |\n", item.number, item.quantity(), plain_name(item.name));
   }
   return out;
 }

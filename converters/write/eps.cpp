@@ -33,7 +33,7 @@ struct Item {
 };
 
 /// Text for a comment: one line of printable ASCII, as DSC asks for.
-std::string plain(std::string_view text) {
+std::string plain_text(std::string_view text) {
   std::string out;
   for (const char c : text.substr(0, 200)) out += c >= ' ' && c <= '~' ? c : '?';
   return out;
@@ -54,7 +54,7 @@ std::string head(const Drawing& drawing) {
       "/c{{rcurveto}}bind def/h{{closepath}}bind def\n/f{{fill}}bind def/s{{stroke}}bind def\n"
       "/w{{setlinewidth}}bind def end\n%%EndProlog\n%%Page: 1 1\nsave burin begin\n"
       "0 0 {:.5f} {:.5f} rectclip\n{}{:.12f} dup scale\n{} 1 setlinecap 1 setlinejoin\n",
-      creator(), plain(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h, paper,
+      creator(), plain_text(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h, paper,
       kPointsPerMm / kUnitsPerMm, ink);
 }
 
@@ -89,7 +89,7 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
     before.clear();
   }
   for (const InkLayer& layer : layers) {
-    before += fmt::format("% layer {}\n", plain(layer.name));
+    before += fmt::format("% layer {}\n", plain_text(layer.name));
     const auto use = [&](const std::string& color) {
       if (color == used) return;
       before += eps_color(color) + "\n";

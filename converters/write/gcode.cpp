@@ -16,12 +16,11 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t kFlushed = 1 << 16;  // bytes
 constexpr int kDecimals = 3;
 constexpr double kHalfTurn = std::numbers::pi * (1 - 1e-6);
 
 /// For a comment: one line of printable ASCII.
-std::string plain(std::string_view text) {
+std::string plain_comment(std::string_view text) {
   std::string out;
   for (const char c : text.substr(0, 120)) out += c >= ' ' && c <= '~' ? c : '?';
   return out;
@@ -70,8 +69,8 @@ class Writer {
   }
 
   void head(Buffer& out) const {
-    append(out, fmt::format("; {}: {}, {}\n", creator(), plain(title_of(drawing_)),
-                            plain(subject_of(drawing_))));
+    append(out, fmt::format("; {}: {}, {}\n", creator(), plain_comment(title_of(drawing_)),
+                            plain_comment(subject_of(drawing_))));
     append(out, fmt::format("; sheet {:g} x {:g} mm, zero {}\n", drawing_.paper_width,
                             drawing_.paper_height,
                             zero_ == Vec2(0) ? "at its lower left corner" : "in its middle"));
@@ -137,7 +136,7 @@ class Writer {
 
   static std::string described(const Pen& pen) {
     return fmt::format("pen {}: {:.2f} mm, {}", pen.number, pen.width,
-                       plain(fmt::format("{}", fmt::join(pen.layers, ", "))));
+                       plain_comment(fmt::format("{}", fmt::join(pen.layers, ", "))));
   }
 
   /// `feed`: mm a minute, 0: as before.
@@ -190,11 +189,6 @@ class Writer {
   bool is_down_ = false;
   bool fast_ = true;  // the last feed was that of travelling
 };
-
-void flush(Buffer& text, std::ostream& out) {
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  text.clear();
-}
 
 }  // namespace
 

@@ -19,7 +19,6 @@ constexpr double kUnitsPerMm = 40;
 constexpr double kPi = std::numbers::pi;
 /// Places of one PD, so that no line of the file is longer than programs read.
 constexpr std::size_t kPlacesOfOne = 32;
-constexpr std::size_t kFlushed = 1 << 16;  // bytes
 
 struct Place {
   std::int64_t x = 0, y = 0;
@@ -28,11 +27,6 @@ struct Place {
 };
 
 Place place(Vec2 p) { return {std::llround(p.x * kUnitsPerMm), std::llround(p.y * kUnitsPerMm)}; }
-
-void flush(Buffer& text, std::ostream& out) {
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  text.clear();
-}
 
 void append_down(Buffer& out, const std::vector<Place>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {

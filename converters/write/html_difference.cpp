@@ -60,7 +60,7 @@ constexpr const char* kScript = R"("use strict";
 })();
 )";
 
-void append_row(Buffer& out, const DifferenceRow& row) {
+void append_difference_row(Buffer& out, const DifferenceRow& row) {
   append(out, fmt::format("<tr class=\"{}\"", html::escaped(row.change)));
   if (row.item > 0) append(out, fmt::format(" data-item=\"{}\" tabindex=\"-1\"", row.item));
   append(out, fmt::format("><td>{}</td><td>{}</td><td>{}</td></tr>\n", html::escaped(row.change),
@@ -78,7 +78,7 @@ void write_difference_page(const Drawing& drawing, std::span<const DifferenceRow
   Buffer table;
   for (const bool same : {false, true}) {  // what has changed comes first
     for (const DifferenceRow& row : rows) {
-      if ((row.change == "same") == same) append_row(table, row);
+      if ((row.change == "same") == same) append_difference_row(table, row);
     }
   }
   out << fmt::to_string(table) << "</tbody>\n</table></div>\n<p>" << html::escaped(counts)

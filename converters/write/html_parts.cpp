@@ -14,7 +14,7 @@
 namespace burin::html {
 namespace {
 
-void append_row(Buffer& out, const DrawingItem& item) {
+void append_item_row(Buffer& out, const DrawingItem& item) {
   append(out, fmt::format("<tr data-item=\"{}\" tabindex=\"-1\"><td>{}</td><td>{}</td><td>",
                           item.number, item.number, item.quantity()));
   if (rgb_of(item.color)) {
@@ -51,7 +51,7 @@ std::string head(const std::string& title) {
 
 std::string list_and_tail(std::span<const DrawingItem> items, const HtmlOptions& options) {
   Buffer rows;
-  for (const DrawingItem& item : items) append_row(rows, item);
+  for (const DrawingItem& item : items) append_item_row(rows, item);
   return kListHead + fmt::to_string(rows) + kListTail + kScript + (options.live ? kLive : "") +
          kTail;
 }

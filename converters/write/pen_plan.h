@@ -12,11 +12,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin {
+
+/// Bytes of text that are written at once.
+constexpr std::size_t kFlushed = 1 << 16;
+/// Writes the text, and empties it.
+inline void flush(Buffer& text, std::ostream& out) {
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  text.clear();
+}
 
 struct Pen {
   std::uint32_t number = 0;

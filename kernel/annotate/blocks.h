@@ -9,6 +9,10 @@
 
 namespace burin::detail {
 
+/// Of a list on the sheet: heights of letters that its widest name may take.
+constexpr double kWidestName = 24;
+constexpr double kRounding = 1e-6;  // paper mm
+
 /// Where rows stand and how they are parted: blocks of them beside each other.
 struct BlockPlan {
   Box2 box{};

@@ -20,7 +20,7 @@ using detail::line;
 constexpr double kAbove = 0.4;  // of the height of letters: between a circle and its letter
 // The symbol, paper mm: the diameters of the truncated cone and its length (1:2 and as long as the
 // larger), its two views this far apart.
-constexpr double kSmall = 4, kLarge = 8, kLength = 8, kApart = 4;
+constexpr double kSmall = 4, kLarge = 8, kLength = 8, kViewsApart = 4;
 // Paper mm that centre lines stand out.
 constexpr double kOut = 1.5;
 
@@ -93,7 +93,9 @@ void lay_details(Drawing& sheet, std::span<const DetailMark> marks, const Callou
   sheet.layers.back().texts = std::move(texts);
 }
 
-Vec2 projection_symbol_size() { return {kLength + kApart + kLarge + 2 * kOut, kLarge + 2 * kOut}; }
+Vec2 projection_symbol_size() {
+  return {kLength + kViewsApart + kLarge + 2 * kOut, kLarge + 2 * kOut};
+}
 
 Layer projection_symbol(ProjectionMethod method, Vec2 at, const CalloutOptions& style) {
   Layer layer{"projection", {}};
@@ -101,8 +103,9 @@ Layer projection_symbol(ProjectionMethod method, Vec2 at, const CalloutOptions& 
   // In third angle the view along the axis, of the small end, stands where that end is: the cone
   // points to it. In first angle it stands on the other side.
   const bool third = method == ProjectionMethod::ThirdAngle;
-  const double circles = at.x + kOut + (third ? 0.5 * kLarge : kLength + kApart + 0.5 * kLarge);
-  const double left = at.x + kOut + (third ? kLarge + kApart : 0);
+  const double circles =
+      at.x + kOut + (third ? 0.5 * kLarge : kLength + kViewsApart + 0.5 * kLarge);
+  const double left = at.x + kOut + (third ? kLarge + kViewsApart : 0);
   Path cone = line({left, y - 0.5 * kSmall}, {left + kLength, y - 0.5 * kLarge}, thick);
   cone.points.insert(cone.points.end(),
                      {{left + kLength, y + 0.5 * kLarge}, {left, y + 0.5 * kSmall}});

@@ -2,6 +2,7 @@
 
 #include <burin/drawing/font.h>
 
+#include "blocks.h"
 #include "fitted_names.h"
 #include "frame_path.h"
 
@@ -12,9 +13,6 @@
 
 namespace burin::detail {
 namespace {
-
-constexpr double kWidestName = 24;  // heights of letters, as in the parts list
-constexpr double kRounding = 1e-6;  // paper mm
 
 /// Of a square with a name beside it, paper mm; `seen`: of rows that are seen alone.
 double width_of(const std::vector<LegendRow>& rows, bool seen, double square, double h) {

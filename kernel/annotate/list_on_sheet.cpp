@@ -3,6 +3,7 @@
 #include <burin/annotate/list_pages.h>
 #include <burin/drawing/font.h>
 
+#include "blocks.h"
 #include "fitted_names.h"
 #include "frame_path.h"
 
@@ -18,8 +19,6 @@ namespace {
 constexpr const char* kNumber = "No.";
 constexpr const char* kQuantity = "Qty";
 constexpr const char* kName = "Name";
-constexpr double kWidestName = 24;  // heights of letters
-constexpr double kRounding = 1e-6;  // paper mm
 
 }  // namespace
 

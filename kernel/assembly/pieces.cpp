@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-std::vector<detail::NamePatterns> by_name(std::span<const std::string> selectors) {
+std::vector<detail::NamePatterns> patterns_of(std::span<const std::string> selectors) {
   std::vector<detail::NamePatterns> patterns;
   for (const std::string& selector : selectors) {
     // What is wrong with others is told where they are to select something.
@@ -64,7 +64,7 @@ std::string piece_name(const std::string& number, const std::string& given) {
 
 std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string> selectors,
                                       bool glazed) {
-  const std::vector<detail::NamePatterns> patterns = by_name(selectors);
+  const std::vector<detail::NamePatterns> patterns = patterns_of(selectors);
   std::vector<Part> others;
   std::vector<std::size_t> from;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {

@@ -48,7 +48,7 @@ Test by_attribute(std::string_view selector) {
       fmt::format("selector '{}': parts have @color=, @index= and @file=, no @{}", selector, name));
 }
 
-Test by_name(std::string_view selector) {
+Test test_by_name(std::string_view selector) {
   return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
     std::vector<std::string> names = names_of(part);
     if (patterns.lead_to(names)) return true;
@@ -149,7 +149,7 @@ std::vector<std::string> selectors_of(const Scene& scene) {
 }
 
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
-  const Test test = selector.starts_with('@') ? by_attribute(selector) : by_name(selector);
+  const Test test = selector.starts_with('@') ? by_attribute(selector) : test_by_name(selector);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (test(i, scene.parts[i])) found.push_back(i);

@@ -4,15 +4,15 @@
 namespace burin {
 namespace {
 
-GrowingCatalogue<AddedFormat>& all() {
+GrowingCatalogue<AddedFormat>& added_catalogue() {
   static GrowingCatalogue<AddedFormat> formats({});
   return formats;
 }
 
 }  // namespace
 
-std::span<const AddedFormat> added_formats() { return all().rows(); }
+std::span<const AddedFormat> added_formats() { return added_catalogue().rows(); }
 
-void add(AddedFormat format) { all().add(std::move(format)); }
+void add(AddedFormat format) { added_catalogue().add(std::move(format)); }
 
 }  // namespace burin

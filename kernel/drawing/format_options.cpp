@@ -10,7 +10,7 @@ using options::number;
 
 namespace {
 
-GrowingCatalogue<FormatOptions>& all() {
+GrowingCatalogue<FormatOptions>& options_catalogue() {
   static GrowingCatalogue<FormatOptions> formats(
       {options_of<SvgOptions>(), options_of<JsonOptions>()});
   return formats;
@@ -51,8 +51,8 @@ std::vector<OptionRow<JsonOptions>> JsonOptions::rows() {
       flag("points3", &JsonOptions::points3, "write model coordinates beside those of the paper")};
 }
 
-std::span<const FormatOptions> format_options() { return all().rows(); }
+std::span<const FormatOptions> format_options() { return options_catalogue().rows(); }
 
-void add(FormatOptions options) { all().add(std::move(options)); }
+void add(FormatOptions options) { options_catalogue().add(std::move(options)); }
 
 }  // namespace burin

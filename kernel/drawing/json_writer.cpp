@@ -302,7 +302,7 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
   append(out, "}\n}\n");
 }
 
-void append_also(Buffer& out, const std::vector<PathSource>& also) {
+void append_json_also(Buffer& out, const std::vector<PathSource>& also) {
   for (std::size_t i = 0; i < also.size(); ++i) {
     const SourceId& of = also[i].source;
     fmt::format_to(fmt::appender(out),
@@ -313,7 +313,7 @@ void append_also(Buffer& out, const std::vector<PathSource>& also) {
 }
 
 /// One path on one line.
-void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
+void append_json_path(Buffer& out, const Path& p, bool points3, int decimals3) {
   fmt::format_to(fmt::appender(out),
                  "{{\"kind\": \"{}\", \"visible\": {}, \"part\": {}, \"face\": {}, \"edge\": {}, "
                  "\"closed\": {}",
@@ -334,7 +334,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
     fmt::format_to(fmt::appender(out), "{}[{},{}]{}", i == 0 ? ", \"faces\": [" : ",",
                    p.faces[i].first_point, p.faces[i].face, i + 1 == p.faces.size() ? "]" : "");
   }
-  append_also(out, p.also);
+  append_json_also(out, p.also);
   append(out, ", \"points\": [");
   for (std::size_t i = 0; i < p.points.size(); ++i) {
     append(out, i == 0 ? "[" : ",[");
@@ -405,7 +405,7 @@ void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream
         paths.size(), [&](std::size_t i) { return paths[i]->points.size(); },
         [&](std::size_t i, Buffer& buffer) {
           append(buffer, i == 0 ? "\n      " : ",\n      ");
-          append_path(buffer, *paths[i], options.points3, decimals3);
+          append_json_path(buffer, *paths[i], options.points3, decimals3);
         },
         out, context);
     text.clear();

@@ -5,10 +5,13 @@
 #include <burin/feature/feature.h>
 #include <burin/mesh/proxy_mesh.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace burin {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Half-edges head to tail, all of one kind. Creases: the triangle of each half-edge lies to the
 /// left, its opposite to the right.

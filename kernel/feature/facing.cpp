@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kWedgeGrain = 16384;
 
-constexpr std::size_t kFaceGrain = 16384;
-
 }  // namespace
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)

@@ -7,10 +7,14 @@
 #include "zero_set.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace burin {
+
+/// Triangles a range of the parallel loops.
+constexpr std::size_t kFaceGrain = 16384;
 
 /// FacingFunction at every wedge of one part; exactly zero where the proxy says so. The front side
 /// is turned to the viewer. Triangles are `decided` that face as their planes do: contours run

@@ -1,3 +1,4 @@
+#include "edge_chains.h"
 #include "intersections.h"
 #include "paper_limits.h"
 
@@ -11,8 +12,6 @@
 namespace burin {
 
 namespace {
-
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// A segment on its way into a chain.
 struct Link {

@@ -7,6 +7,7 @@
 #include "fairing.h"
 #include "paper_limits.h"
 #include "zero_lines.h"
+#include "zero_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +25,6 @@ constexpr int kSettlings = 3, kBorderSettlings = 1;
 /// Square of the cosines' difference below which a triangle is as light all over: there is nowhere
 /// to step to.
 constexpr double kLeastSlope = 1e-18;
-
-Vec3 bary_on(HalfEdge h, double share) {
-  Vec3 bary(0);
-  bary[static_cast<int>(h % 3)] = 1 - share;
-  bary[static_cast<int>(next_in_face(h) % 3)] = share;
-  return bary;
-}
 
 /// normal . light - level.
 class Isophote : public ZeroSet {

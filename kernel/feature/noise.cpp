@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-double paper_length(const Camera& camera, const std::vector<Vec3>& points) {
+double loop_length(const Camera& camera, const std::vector<Vec3>& points) {
   double length = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 a = camera.to_paper(points[i]), b = camera.to_paper(points[(i + 1) % points.size()]);
@@ -74,7 +74,7 @@ class Patch {
 }  // namespace
 
 bool is_noise(const Facing& facing, const Curve3& contour) {
-  const double length = paper_length(facing.camera(), contour.points);
+  const double length = loop_length(facing.camera(), contour.points);
   // Exact normals have no noise: however shallow, a loop that can be seen is shape.
   const bool exact = !facing.proxy().on_contour.empty();
   if (exact && length >= kSpeckLength) return false;

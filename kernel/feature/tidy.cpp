@@ -1,5 +1,6 @@
 #include "tidy.h"
 
+#include "edge_chains.h"
 #include "paper_limits.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace burin {
 
 namespace {
-
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 using PointKey = std::array<double, 3>;
 PointKey point_key(const Vec3& p) { return {p.x, p.y, p.z}; }

@@ -12,8 +12,6 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t kFaceGrain = 16384;
-
 /// The corners of a triangle on paper, and what is of one side of it by the values at its corners:
 /// a triangle or a quadrangle.
 struct SeenPart {

@@ -1,6 +1,7 @@
 #include "zero_lines.h"
 
 #include "paper_limits.h"
+#include "zero_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,6 @@ HalfEdge beyond(const ZeroSet& zeros, HalfEdge h) {
   if (zeros.proxy().edge_kind[i] != EdgeKind::Smooth) return kNoHalfEdge;
   const HalfEdge o = zeros.proxy().topology.opposite[i];
   return zeros.crosses(o) ? o : kNoHalfEdge;
-}
-
-Vec3 bary_on(HalfEdge h, double share) {
-  Vec3 bary(0);
-  bary[static_cast<int>(h % 3)] = 1 - share;
-  bary[static_cast<int>(next_in_face(h) % 3)] = share;
-  return bary;
 }
 
 class Tracer {

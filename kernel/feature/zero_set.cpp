@@ -2,17 +2,14 @@
 
 #include <burin/base/parallel_filter.h>
 
+#include "facing.h"
 #include "paper_limits.h"
 
 #include <utility>
 
 namespace burin {
 
-namespace {
-
-constexpr std::size_t kFaceGrain = 16384;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::uint32_t> ZeroSet::mixed_faces(const RunContext& context) const {
   const std::vector<Triangle>& wedges = proxy_->wedges;

@@ -11,6 +11,14 @@
 
 namespace burin {
 
+/// The place at a share of an edge, in the triangle that its half-edge belongs to.
+inline Vec3 bary_on(HalfEdge h, double share) {
+  Vec3 bary(0);
+  bary[static_cast<int>(h % 3)] = 1 - share;
+  bary[static_cast<int>(next_in_face(h) % 3)] = share;
+  return bary;
+}
+
 /// A point where g is zero, on the edge of half-edge h.
 struct ZeroCrossing {
   Vec3 position{0};

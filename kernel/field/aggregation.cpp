@@ -5,6 +5,19 @@
 #include <algorithm>
 
 namespace burin::field {
+
+// The members of every group, in order.
+struct GroupMembers {
+  std::vector<std::uint32_t> first, node;
+};
+
+// One range of rows of the coarse graph, joined with the others afterwards.
+template <class Scalar>
+struct CoarseRows {
+  std::vector<std::uint32_t> degree, neighbour;
+  std::vector<Scalar> coupling;
+};
+
 namespace {
 
 // A link belongs to a group only if it is at least this share of its node's strongest one.
@@ -71,14 +84,9 @@ bool join_group(const Links<Scalar>& s, std::uint32_t i, std::vector<std::uint32
   return true;
 }
 
-// The members of every group, in order.
-struct Members {
-  std::vector<std::uint32_t> first, node;
-};
-
 template <class Scalar>
-Members members_of(const Groups<Scalar>& groups) {
-  Members m;
+GroupMembers members_of(const Groups<Scalar>& groups) {
+  GroupMembers m;
   m.first.assign(groups.count + 1, 0);
   for (const std::uint32_t a : groups.parent) {
     if (a != kNoGroup) ++m.first[a + 1];
@@ -91,13 +99,6 @@ Members members_of(const Groups<Scalar>& groups) {
   }
   return m;
 }
-
-// One range of rows of the coarse graph, joined with the others afterwards.
-template <class Scalar>
-struct Rows {
-  std::vector<std::uint32_t> degree, neighbour;
-  std::vector<Scalar> coupling;
-};
 
 }  // namespace
 
@@ -134,12 +135,12 @@ Groups<Scalar> aggregate(const Links<Scalar>& s) {
 template <class Scalar>
 Links<Scalar> coarsen(const Links<Scalar>& s, const Groups<Scalar>& groups,
                       const RunContext& context) {
-  const Members members = members_of(groups);
+  const GroupMembers members = members_of(groups);
   Links<Scalar> c;
   c.stiffness.assign(groups.count, 0);
-  std::vector<Rows<Scalar>> ranges((groups.count + kNodeRange - 1) / kNodeRange);
+  std::vector<CoarseRows<Scalar>> ranges((groups.count + kNodeRange - 1) / kNodeRange);
   const auto build = [&](std::size_t begin, std::size_t end) {
-    Rows<Scalar>& rows = ranges[begin / kNodeRange];
+    CoarseRows<Scalar>& rows = ranges[begin / kNodeRange];
     for (auto a = static_cast<std::uint32_t>(begin); a < end; ++a) {
       const std::size_t row = rows.neighbour.size();
       for (std::uint32_t m = members.first[a]; m < members.first[a + 1]; ++m) {
@@ -170,7 +171,7 @@ Links<Scalar> coarsen(const Links<Scalar>& s, const Groups<Scalar>& groups,
   };
   parallel_for(groups.count, kNodeRange, build, &context);
   c.first.reserve(groups.count + 1);
-  for (const Rows<Scalar>& rows : ranges) {
+  for (const CoarseRows<Scalar>& rows : ranges) {
     for (const std::uint32_t d : rows.degree) c.first.push_back(c.first.back() + d);
     c.neighbour.insert(c.neighbour.end(), rows.neighbour.begin(), rows.neighbour.end());
     c.coupling.insert(c.coupling.end(), rows.coupling.begin(), rows.coupling.end());

@@ -3,6 +3,7 @@
 #include <burin/base/box.h>
 #include <burin/base/parallel.h>
 
+#include "links.h"
 #include "multigrid.h"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 namespace burin::field {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
-constexpr std::uint32_t kNone = 0xffffffffu;
 // Half the width of the band in which lines turn: this share of the cut's extent ...
 constexpr double kOfCut = 0.5;
 // ... but no more than this share of the region's size (square root of its area).

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include "fallback.h"
+#include "links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace burin::field {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
 // The field follows curvature over lengths of 1 / (kAlignment |k1-k2|) and more: about the radius
 // of a cylinder, at confidence one half.
 constexpr double kAlignment = 1;

@@ -11,7 +11,7 @@
 namespace burin::field {
 namespace {
 
-constexpr std::size_t kGrain = 512;
+constexpr std::size_t kExactGrain = 512;
 // Radians between the normals of a face up to which it is flat whatever its equations are; over a
 // sheet of 300 mm its strokes would bend by a tenth of a millimetre.
 constexpr double kFlat = 1e-3;
@@ -24,7 +24,7 @@ struct Face {
 // Triangles of a face that are looked at, at most.
 constexpr std::size_t kSamples = 64;
 // Radii of a sphere differ by no more than this share.
-constexpr double kRound = 1e-3;
+constexpr double kRoundPatch = 1e-3;
 
 Vec3 mean_normal(const ProxyMesh& proxy, std::span<const std::uint32_t> triangles) {
   Vec3 mean(0);
@@ -45,7 +45,7 @@ FaceKind kind_by_shape(const Surface& surface, std::span<const std::uint32_t> tr
     flat = flat && glm::length(at.normal - mean) <= kFlat;
     const double own = 0.5 * (at.k1 + at.k2);
     if (i == 0) k = own;
-    round = round && at.umbilic && k != 0 && std::abs(own - k) <= kRound * std::abs(k);
+    round = round && at.umbilic && k != 0 && std::abs(own - k) <= kRoundPatch * std::abs(k);
   }
   return flat ? FaceKind::Plane : round ? FaceKind::Sphere : FaceKind::Freeform;
 }
@@ -181,13 +181,14 @@ CurvedFrames curved_frames(const Surface& surface, const FlatPatches& flats,
   const auto corners = corners_at(proxy.wedges, proxy.wedge_vertex.size());
   CurvedFrames frames;
   frames.best.resize(proxy.wedge_vertex.size());
-  std::vector<std::vector<CurvedFrames::Other>> others((frames.best.size() + kGrain - 1) / kGrain);
+  std::vector<std::vector<CurvedFrames::Other>> others((frames.best.size() + kExactGrain - 1) /
+                                                       kExactGrain);
   parallel_for(
       others.size(), 1,
       [&](std::size_t begin, std::size_t end) {
         std::vector<AtWedge> found;
-        const std::size_t last = std::min(end * kGrain, frames.best.size());
-        for (std::size_t w = begin * kGrain; w < last; ++w) {
+        const std::size_t last = std::min(end * kExactGrain, frames.best.size());
+        for (std::size_t w = begin * kExactGrain; w < last; ++w) {
           Frame& best = frames.best[w];
           best.position = proxy.wedge_position(static_cast<std::uint32_t>(w));
           best.normal = proxy.wedge_normal[w];
@@ -202,7 +203,7 @@ CurvedFrames curved_frames(const Surface& surface, const FlatPatches& flats,
           }
           for (std::size_t i = 0; i < found.size(); ++i) {
             if (i == chosen) continue;
-            others[w / kGrain].push_back(
+            others[w / kExactGrain].push_back(
                 {static_cast<std::uint32_t>(w), found[i].frame, found[i].area});
           }
         }

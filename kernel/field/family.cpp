@@ -5,6 +5,7 @@
 
 #include "exact_faces.h"
 #include "islands.h"
+#include "links.h"
 #include "multigrid.h"
 #include "short_cuts.h"
 
@@ -17,19 +18,18 @@
 namespace burin::field {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
-
 // A wedge on the smooth border of a flat part, and how well the first arms of both agree there:
 // between -length and length of the border.
-struct Border {
+struct FamilyBorder {
   std::size_t patch;
   std::uint32_t wedge;
   double agreement;
 };
 
-std::vector<Border> find_borders(const ProxyMesh& proxy, const WedgeGraph& graph,
-                                 const std::vector<Vec2>& lines, const FlatPatches& flats) {
-  std::vector<Border> borders;
+std::vector<FamilyBorder> find_family_borders(const ProxyMesh& proxy, const WedgeGraph& graph,
+                                              const std::vector<Vec2>& lines,
+                                              const FlatPatches& flats) {
+  std::vector<FamilyBorder> borders;
   for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
     const std::int32_t p = flats.face_patch[h / 3];
     if (p < 0 || proxy.edge_kind[h] != EdgeKind::Smooth) continue;
@@ -56,13 +56,13 @@ constexpr double kReach = 0.25;
 constexpr double kStay = 1e-6;
 
 // Every flat part becomes a node behind those of the wedges.
-void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Links<double>& signs,
-               std::vector<double>& pull, std::vector<double>& mass) {
+void add_flats(const std::vector<FamilyBorder>& borders, const FlatPatches& flats,
+               Links<double>& signs, std::vector<double>& pull, std::vector<double>& mass) {
   const std::size_t n = signs.size(), patches = flats.patches.size();
   std::vector<double> length(patches, 0);
-  for (const Border& b : borders) length[b.patch] += std::abs(b.agreement);
+  for (const FamilyBorder& b : borders) length[b.patch] += std::abs(b.agreement);
   std::vector<std::vector<std::pair<std::uint32_t, double>>> added(n + patches);
-  for (const Border& b : borders) {
+  for (const FamilyBorder& b : borders) {
     if (b.agreement == 0) continue;
     // The part's extent is about a quarter of its outline.
     const double coupling = b.agreement / (kReach * 0.25 * length[b.patch]);
@@ -94,11 +94,11 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
 // A border that has next to nothing to say, such as a fillet all round a disc, which agrees with
 // one arm as much as with the other but for chance, leaves its part the first arm: discs alike are
 // drawn alike.
-void keep_first_directions(const std::vector<Border>& borders, std::size_t wedges,
+void keep_first_directions(const std::vector<FamilyBorder>& borders, std::size_t wedges,
                            std::vector<double>& sign) {
   constexpr double kNothing = 0.1;  // of the border's length
   std::vector<double> sum(sign.size() - wedges, 0), length(sum.size(), 0);
-  for (const Border& b : borders) {
+  for (const FamilyBorder& b : borders) {
     sum[b.patch] += (sign[b.wedge] < 0 ? -1 : 1) * b.agreement;
     length[b.patch] += std::abs(b.agreement);
   }
@@ -210,9 +210,9 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
     pull[w] = glm::dot(targets.line_pull[w], line[w]);
   });
   std::vector<double> mass = targets.line_mass;
-  std::vector<Border> borders;
+  std::vector<FamilyBorder> borders;
   if (flats) {
-    borders = find_borders(proxy, graph, line, *flats);
+    borders = find_family_borders(proxy, graph, line, *flats);
     add_flats(borders, *flats, signs, pull, mass);
   }
   std::vector<double> sign =
@@ -234,7 +234,7 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
 void match_flat_families(const ProxyMesh& proxy, const WedgeGraph& graph,
                          const std::vector<Vec2>& lines, FlatPatches& flats) {
   std::vector<double> votes(flats.patches.size(), 0);
-  for (const Border& border : find_borders(proxy, graph, lines, flats)) {
+  for (const FamilyBorder& border : find_family_borders(proxy, graph, lines, flats)) {
     votes[border.patch] += border.agreement;
   }
   for (std::size_t p = 0; p < votes.size(); ++p) {

@@ -18,7 +18,7 @@ constexpr double kMinDominance = 0.15;
 constexpr double kSmoothShare = 0.3;
 // Mean squared sine of the angle between a border and the circles about its centre up to which it
 // is round.
-constexpr double kRound = 0.02;
+constexpr double kRoundCross = 0.02;
 // Degrees about the centre that one straight edge of a round border may span: two sides of a wedge
 // have a centre, too.
 constexpr double kWidestEdge = 45;
@@ -83,7 +83,7 @@ bool set_round(const std::vector<OutlineEdge>& outline, const TangentBasis& basi
     radius += length * glm::length(r);
     weight += length;
   }
-  if (!(all > 0) || off > kRound * all) return false;
+  if (!(all > 0) || off > kRoundCross * all) return false;
   patch.center = origin + basis.vector(c);
   patch.hub = kHub * radius / weight;
   return true;

@@ -12,7 +12,7 @@
 namespace burin::field {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
+constexpr std::size_t kFlatGrain = 8192;
 // A smooth region whose normals stay this near their mean (root mean square, radians) is flat as a
 // whole.
 constexpr double kFlatRegion = 0.01;
@@ -38,9 +38,6 @@ constexpr std::size_t kMaxSamples = 48;
 // turn by so much over its width if it bent on like the facets behind.
 constexpr double kExact = 5e-4;
 constexpr double kBend = 0.35;
-
-// Confidence from which principal directions are followed at a smooth border.
-constexpr double kSure = 0.5;
 
 class Finder {
  public:
@@ -95,7 +92,7 @@ class Finder {
     normal_.resize(faces());
     area_.resize(faces());
     parallel_for(
-        faces(), kGrain,
+        faces(), kFlatGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t f = begin; f < end; ++f) {
             normal_[f] = proxy_.mesh.normal(static_cast<std::uint32_t>(f));
@@ -134,7 +131,7 @@ class Finder {
   std::vector<std::uint32_t> seeds() {
     std::vector<std::int32_t> key(faces(), -1);
     parallel_for(
-        faces(), kGrain,
+        faces(), kFlatGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t f = begin; f < end; ++f) {
             if (patch_[f] < 0 && area_[f] > 0 && may_be_flat(static_cast<HalfEdge>(3 * f)))

@@ -11,6 +11,9 @@
 
 namespace burin::field {
 
+/// Confidence from which principal directions are followed at a smooth border.
+constexpr double kSure = 0.5;
+
 struct FlatPatches {
   std::vector<FlatPatch> patches;
   /// For each triangle its patch; -1 where the surface is curved (or the facet of something

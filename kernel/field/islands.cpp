@@ -1,13 +1,13 @@
 #include "islands.h"
 
+#include "links.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
 
 namespace burin::field {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct Islands {
   std::vector<std::uint32_t> of_node;
@@ -42,13 +42,13 @@ Islands find_islands(const Links<double>& links, const std::vector<double>& sign
   return islands;
 }
 
-struct Border {
+struct IslandBorder {
   double weight = 0;
   std::uint32_t a = 0, b = 0;
 };
 
 // The borders between islands, longest first.
-std::vector<Border> find_borders(const Links<double>& links, const Islands& islands) {
+std::vector<IslandBorder> find_island_borders(const Links<double>& links, const Islands& islands) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> weights;
   for (std::uint32_t i = 0; i < links.size(); ++i) {
     for (std::uint32_t k = links.first[i]; k < links.first[i + 1]; ++k) {
@@ -56,10 +56,11 @@ std::vector<Border> find_borders(const Links<double>& links, const Islands& isla
       if (a < b) weights[{a, b}] += std::abs(links.coupling[k]);
     }
   }
-  std::vector<Border> borders;
+  std::vector<IslandBorder> borders;
   for (const auto& [pair, weight] : weights) borders.push_back({weight, pair.first, pair.second});
-  std::stable_sort(borders.begin(), borders.end(),
-                   [](const Border& x, const Border& y) { return x.weight > y.weight; });
+  std::stable_sort(
+      borders.begin(), borders.end(),
+      [](const IslandBorder& x, const IslandBorder& y) { return x.weight > y.weight; });
   return borders;
 }
 
@@ -99,7 +100,7 @@ void join_islands(const Links<double>& links, const std::vector<double>& pull,
   for (double& s : sign) s = s < 0 ? -1 : 1;
   const Islands islands = find_islands(links, sign);
   Forest forest(islands.count);
-  for (const Border& border : find_borders(links, islands)) {
+  for (const IslandBorder& border : find_island_borders(links, islands)) {
     forest.join_opposite(border.a, border.b);
   }
   std::vector<double> votes(islands.count, 0);

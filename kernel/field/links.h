@@ -4,10 +4,16 @@
 #include <burin/surface/tangent_basis.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace burin::field {
+
+/// No node.
+constexpr std::uint32_t kNone = 0xffffffffu;
+/// Wedges or nodes a range of the parallel loops.
+constexpr std::size_t kGrain = 4096;
 
 /// A value at a node is a complex number (a cross, as its direction to the fourth power) or a real
 /// one (the sign of a label).

@@ -1,12 +1,10 @@
 #include "plane_faces.h"
 
 #include "fallback.h"
+#include "flat_patches.h"
 
 namespace burin::field {
 namespace {
-
-// Confidence from which a neighbour's principal directions are followed at a smooth border.
-constexpr double kSure = 0.5;
 
 class Planes {
  public:

@@ -2,6 +2,8 @@
 
 #include <burin/base/disjoint_sets.h>
 
+#include "links.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +16,6 @@
 namespace burin::field {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
 // Cuts shorter than this share of the region's size (square root of its area) stay.
 constexpr double kShort = 0.25;
 // Other labels leave less than this share of the length of cuts ...

@@ -11,7 +11,7 @@ namespace {
 // strokes can follow.
 constexpr double kSteepest = 0.01;
 // Share of one parameter's speed that the other's must have.
-constexpr double kPole = 1e-6;
+constexpr double kPoleSpeeds = 1e-6;
 
 // The unit part of a direction in the tangent plane; nothing where it stands on the surface.
 std::optional<Vec3> tangent_part(Vec3 direction, Vec3 normal) {
@@ -85,7 +85,7 @@ Field isoparametric() {
   return {"isoparametric", [](const FieldQuery& q) -> std::optional<Cross> {
             const double du = glm::length(q.frame.du), dv = glm::length(q.frame.dv);
             // A parameter line that stands still against the other has no direction: a pole.
-            if (!(std::min(du, dv) > kPole * std::max(du, dv))) return std::nullopt;
+            if (!(std::min(du, dv) > kPoleSpeeds * std::max(du, dv))) return std::nullopt;
             return Cross{q.frame.du / du, q.frame.dv / dv, q.frame.confidence};
           }};
 }

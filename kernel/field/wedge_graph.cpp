@@ -3,12 +3,12 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/corners.h>
 
+#include "links.h"
+
 #include <span>
 
 namespace burin::field {
 namespace {
-
-constexpr std::size_t kGrain = 4096;
 
 std::uint32_t wedge_at(const ProxyMesh& proxy, HalfEdge h) {
   return proxy.wedges[face_of(h)][static_cast<std::size_t>(h % 3)];

@@ -4,7 +4,12 @@
 #include <burin/mesh/corners.h>
 #include <burin/mesh/proxy_mesh.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace burin {
+
+inline double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
 /// Triangles a range of the parallel loops: 0.1 to 5 ms each.
 inline constexpr std::size_t kFaceGrain = 4096;

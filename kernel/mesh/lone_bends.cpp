@@ -16,9 +16,9 @@ namespace burin {
 namespace {
 
 /// Of the crease angle: bends below it are never edges.
-constexpr double kLeast = 0.5;
+constexpr double kLeastBend = 0.5;
 /// Radians up to which two triangles are one flat face.
-constexpr double kFlat = 0.01;
+constexpr double kFlatBend = 0.01;
 /// Of a bend: up to the first, bends on the far side of the face are nothing beside it; from the
 /// second on it belongs to something rounder, as the first bend of a fillet does (half the next).
 constexpr double kNothing = 0.1, kRounder = 1.2;
@@ -107,7 +107,7 @@ class Bends {
     const Vec3 &a = normals_[face_of(h)], &b = normals_[face_of(o)];
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
   }
-  bool is_flat(HalfEdge h) const { return kind(h) == EdgeKind::Smooth && bend(h) < kFlat; }
+  bool is_flat(HalfEdge h) const { return kind(h) == EdgeKind::Smooth && bend(h) < kFlatBend; }
   bool in_flat_face(std::uint32_t f) const {
     const auto h = static_cast<HalfEdge>(3 * f);
     return is_flat(h) || is_flat(h + 1) || is_flat(h + 2);
@@ -198,7 +198,7 @@ void set_crease(ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdge h, 
 
 void sharpen_lone_bends(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
                         const RunContext& context) {
-  Bends bends(proxy, normals, kLeast * crease_angle);
+  Bends bends(proxy, normals, kLeastBend * crease_angle);
   const auto all = [&](const auto& holds) {
     return parallel_filter<HalfEdge>(proxy.edge_kind.size(), 3 * kFaceGrain, holds, context);
   };

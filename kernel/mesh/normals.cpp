@@ -15,8 +15,6 @@ namespace {
 /// Radians between neighbours that curve so gently that curvature may be extrapolated: 10 degrees.
 constexpr double kGentle = 0.17;
 
-double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
-
 /// Finds the normal of one wedge after another; keeps its buffers between them.
 class WedgeNormal {
  public:

@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-7;
 /// triangle, which says little about the width of the facet it is part of.
 constexpr double kWide = 2.5, kWideOfOne = 12;
 /// Curvatures that differ by less than this factor belong to one curved face.
-constexpr double kAlike = 2.5;
+constexpr double kAlikeCurvatures = 2.5;
 /// So many edges of a patch that say nothing of it are like those before and behind them.
 constexpr std::size_t kMostBetween = 2;
 
@@ -197,7 +197,7 @@ class PatchFinder {
     const auto alike = [&](const Crossing& c) {
       if (c.exit == kNoHalfEdge || opposite(c.exit) == kNoHalfEdge) return false;
       const double there = bend(c.exit, c.width, cross(patches, opposite(c.exit)).width);
-      return there * kAlike > here && there < here * kAlike;
+      return there * kAlikeCurvatures > here && there < here * kAlikeCurvatures;
     };
     return !(alike(wide) && alike(narrow));
   }

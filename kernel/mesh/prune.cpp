@@ -19,7 +19,7 @@ constexpr std::uint32_t kSpeck = 24;
 constexpr double kRough = 1.0 / 6, kOneSided = 0.5;
 /// Most edges around a speck, as a share, that are flat within an angle of so many radians: facets
 /// of form come in coplanar triangles, noise leaves none.
-constexpr double kFlatShare = 0.15, kFlat = 0.01;
+constexpr double kFlatShare = 0.15, kFlatTensor = 0.01;
 
 /// CreaseGroups of vertices joined by creases.
 class CreaseGroups {
@@ -49,7 +49,7 @@ class CreaseGroups {
     Group& g = group_[root(v)];
     g.bend += bend;
     g.absolute_bend += std::abs(bend);
-    g.flats += std::abs(bend) < kFlat;
+    g.flats += std::abs(bend) < kFlatTensor;
     ++g.bends;
   }
 

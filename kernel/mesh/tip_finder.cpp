@@ -13,7 +13,7 @@ namespace {
 constexpr double kFlatCosine = 1 - 0.5e-6;
 /// Radians by which the triangles of a tip lean from their mean: less does not show, and is the
 /// noise of files.
-constexpr double kLeast = 2 * std::numbers::pi / 180;
+constexpr double kLeastAngle = 2 * std::numbers::pi / 180;
 /// Of the crease angle: at a rim the facets of a smooth surface lean by up to half of it.
 constexpr double kLeastAtRim = 0.6;
 /// Of the lean: a tip bends alike all the way along its fan, as that of a pyramid of nine sides and
@@ -30,8 +30,6 @@ constexpr double kRound = 0.6, kAlike = 1.2, kFacet = 1.5;
 /// Cosine of how far two creases turn at the corner of a shape: no rim that is round does so
 /// between two of its facets.
 constexpr double kCorner = 0.5;
-
-double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
 }  // namespace
 
@@ -124,7 +122,8 @@ bool TipFinder::is_tip(HalfEdge first) const {
   // Of small angles 1 - cos is half the square; what passes is looked at by angles.
   if (1 - fan.most > 1.2 * kMostBend * kMostBend * (1 - fan.lean)) return false;
   const double lean = angle_of(fan.lean), most = angle_of(fan.most);
-  if (lean < (rim ? kLeastAtRim * crease_angle_ : kLeast) || most > kMostBend * lean) return false;
+  if (lean < (rim ? kLeastAtRim * crease_angle_ : kLeastAngle) || most > kMostBend * lean)
+    return false;
   if (!rim && faces * lean < kPole) return false;
   const double round = std::cos(std::min(kRound * lean, kAlike * most));
   const double facet = std::cos(std::min(kFacet * most, std::numbers::pi));

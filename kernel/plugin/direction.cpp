@@ -11,7 +11,7 @@
 namespace burin::plugin {
 namespace {
 
-constexpr auto kRow = PluginError::Row::Direction;
+constexpr auto kDirectionRow = PluginError::Row::Direction;
 // As of directions of our own: the sine of the smallest angle to the normal at which a tangent part
 // is worth following.
 constexpr double kSteepest = 0.01;
@@ -28,7 +28,7 @@ class Direction {
     const Values values(values_of(request.options.declared, source_.factory->name, options));
     burin_error error{};
     void* self = nullptr;
-    check(kRow, source_, functions.make(&view, values.data(), &self, &error), error);
+    check(kDirectionRow, source_, functions.make(&view, values.data(), &self, &error), error);
     self_ = std::make_shared<const Self>(self, functions.destroy,
                                          (functions.needs & BURIN_ONE_THREAD) != 0);
     directions_ = functions.directions;
@@ -50,11 +50,11 @@ class Direction {
              : self_->call([&](const void* self) {
                  return directions_(self, &at, &first.x, &second.x, &certainty, &error);
                });
-    if (code != BURIN_OK) check(kRow, source_, code, error);
+    if (code != BURIN_OK) check(kDirectionRow, source_, code, error);
     // What is no number is not below any.
     const double a = glm::dot(first, first), b = glm::dot(second, second);
     if (!(a + b + std::abs(certainty) < kHuge)) {
-      fail(kRow, source_, "gives something that is no number");
+      fail(kDirectionRow, source_, "gives something that is no number");
     }
     if (!make_tangent(first, a, f.normal)) return std::nullopt;
     if (!make_tangent(second, b, f.normal)) second = glm::cross(f.normal, first);

@@ -15,7 +15,7 @@
 namespace burin::plugin {
 namespace {
 
-constexpr auto kRow = PluginError::Row::Form;
+constexpr auto kFormRow = PluginError::Row::Form;
 // Steps of central differences of first derivatives, as shares of the size of the domain: where
 // rounding and the next term of the series weigh about the same.
 constexpr double kStep = 1e-5;
@@ -23,13 +23,13 @@ constexpr double kStep = 1e-5;
 constexpr std::size_t kBatch = 4096;
 
 /// What a factory made, and how errors of it are told.
-class Made {
+class MadeForm {
  public:
-  Made(const Source& source, const std::vector<OptionValue>& values) : source_(source) {
+  MadeForm(const Source& source, const std::vector<OptionValue>& values) : source_(source) {
     const Values given(values);
     burin_error error{};
     void* self = nullptr;
-    check(kRow, source_, functions().make(given.data(), &self, &error), error);
+    check(kFormRow, source_, functions().make(given.data(), &self, &error), error);
     self_ = std::make_shared<const Self>(self, functions().destroy,
                                          (functions().needs & BURIN_ONE_THREAD) != 0);
   }
@@ -41,14 +41,15 @@ class Made {
   void call(const Call& call) const {
     burin_error error;
     clear(error);
-    check(kRow, source_, self_->call([&](const void* self) { return call(self, &error); }), error);
+    check(kFormRow, source_, self_->call([&](const void* self) { return call(self, &error); }),
+          error);
   }
   void finite(const double* numbers, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
-      if (!std::isfinite(numbers[i])) fail(kRow, source_, "gives something that is no number");
+      if (!std::isfinite(numbers[i])) fail(kFormRow, source_, "gives something that is no number");
     }
   }
-  [[noreturn]] void refuse(const std::string& what) const { fail(kRow, source_, what); }
+  [[noreturn]] void refuse(const std::string& what) const { fail(kFormRow, source_, what); }
 
  private:
   Source source_;
@@ -57,7 +58,7 @@ class Made {
 
 class Function final : public ImplicitFunction {
  public:
-  explicit Function(Made made) : made_(std::move(made)) {
+  explicit Function(MadeForm made) : made_(std::move(made)) {
     made_.call([&](const void* self, burin_error* error) {
       return made_.functions().bounds(self, &bounds_.min.x, &bounds_.max.x, error);
     });
@@ -118,14 +119,14 @@ class Function final : public ImplicitFunction {
     if (gradient != nullptr) made_.finite(gradient, 3 * points.size());
   }
 
-  Made made_;
+  MadeForm made_;
   Box3 bounds_{Vec3(0), Vec3(0)};
 };
 
 /// S(u,v); second derivatives by differences of the first.
 class Patch {
  public:
-  explicit Patch(Made made) : made_(std::move(made)) {
+  explicit Patch(MadeForm made) : made_(std::move(made)) {
     double domain[4]{};
     std::int32_t closed[2]{};
     made_.call([&](const void* self, burin_error* error) {
@@ -172,13 +173,13 @@ class Patch {
   }
 
  private:
-  Made made_;
+  MadeForm made_;
   FunctionChartOptions options_;
 };
 
 std::shared_ptr<const Form> make(const Source& source, const std::vector<OptionValue>& values,
                                  const RunContext& context) {
-  Made made(source, values);
+  MadeForm made(source, values);
   if (made.functions().values != nullptr) {
     // The box belongs to the form: walls that reach it are closed there.
     const auto function = std::make_shared<Function>(std::move(made));

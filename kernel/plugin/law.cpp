@@ -10,7 +10,7 @@
 namespace burin::plugin {
 namespace {
 
-constexpr auto kRow = PluginError::Row::Law;
+constexpr auto kLawRow = PluginError::Row::Law;
 
 class Law {
  public:
@@ -22,7 +22,7 @@ class Law {
     const Values values(values_of(request.options.declared, source_.factory->name, options));
     burin_error error{};
     void* self = nullptr;
-    check(kRow, source_, functions.make(&view, values.data(), &self, &error), error);
+    check(kLawRow, source_, functions.make(&view, values.data(), &self, &error), error);
     self_ = std::make_shared<const Self>(self, functions.destroy,
                                          (functions.needs & BURIN_ONE_THREAD) != 0);
   }
@@ -35,8 +35,8 @@ class Law {
     const std::int32_t code = self_->call([&](const void* self) {
       return functions.reflectances(self, 1, &position.x, &normal.x, &reflectance, &error);
     });
-    check(kRow, source_, code, error);
-    if (!std::isfinite(reflectance)) fail(kRow, source_, "gives something that is no number");
+    check(kLawRow, source_, code, error);
+    if (!std::isfinite(reflectance)) fail(kLawRow, source_, "gives something that is no number");
     return reflectance;
   }
 

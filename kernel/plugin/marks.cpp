@@ -9,7 +9,7 @@
 namespace burin::plugin {
 namespace {
 
-constexpr auto kRow = PluginError::Row::StrokeKind;
+constexpr auto kStrokeKindRow = PluginError::Row::StrokeKind;
 
 class MarkMaker {
  public:
@@ -20,7 +20,7 @@ class MarkMaker {
     const Values values(values_of(request.options.declared, source_.factory->name, options));
     burin_error error{};
     void* self = nullptr;
-    check(kRow, source_, functions.make(&view, values.data(), &self, &error), error);
+    check(kStrokeKindRow, source_, functions.make(&view, values.data(), &self, &error), error);
     self_ = std::make_shared<const Self>(self, functions.destroy,
                                          (functions.needs & BURIN_ONE_THREAD) != 0);
   }
@@ -37,12 +37,14 @@ class MarkMaker {
     const std::int32_t code = self_->call([&](const void* self) {
       return functions.marks(self, &at, &count, points.data(), begins.data(), &error);
     });
-    check(kRow, source_, code, error);
-    if (count > functions.most) fail(kRow, source_, "gives more points than a mark may have");
+    check(kStrokeKindRow, source_, code, error);
+    if (count > functions.most)
+      fail(kStrokeKindRow, source_, "gives more points than a mark may have");
     MarkLines lines;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec2 p(points[2 * i], points[2 * i + 1]);
-      if (!std::isfinite(p.x + p.y)) fail(kRow, source_, "gives something that is no number");
+      if (!std::isfinite(p.x + p.y))
+        fail(kStrokeKindRow, source_, "gives something that is no number");
       if (i == 0 || begins[i] != 0) lines.emplace_back();
       lines.back().push_back(p);
     }

@@ -98,14 +98,14 @@ std::string reported(const char* what, std::int32_t code, const burin_error& err
 }
 
 /// What `make` made, until the end of the trial.
-class Made {
+class MadeForTrial {
  public:
-  explicit Made(void (*destroy)(void*)) : destroy_(destroy) {}
-  ~Made() {
+  explicit MadeForTrial(void (*destroy)(void*)) : destroy_(destroy) {}
+  ~MadeForTrial() {
     if (whole && destroy_ != nullptr) destroy_(self);
   }
-  Made(const Made&) = delete;
-  Made& operator=(const Made&) = delete;
+  MadeForTrial(const MadeForTrial&) = delete;
+  MadeForTrial& operator=(const MadeForTrial&) = delete;
 
   void* self = nullptr;
   bool whole = false;
@@ -126,7 +126,7 @@ constexpr const char* kOneByOne = "answers otherwise when it is asked about one 
 std::string try_direction(const burin_factory& f) {
   const auto& d = *static_cast<const burin_direction_1*>(f.functions);
   burin_error error{};
-  Made made(d.destroy);
+  MadeForTrial made(d.destroy);
   std::string fault =
       reported("make", d.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
@@ -155,7 +155,7 @@ std::string try_direction(const burin_factory& f) {
 std::string try_law(const burin_factory& f) {
   const auto& law = *static_cast<const burin_law_1*>(f.functions);
   burin_error error{};
-  Made made(law.destroy);
+  MadeForTrial made(law.destroy);
   std::string fault =
       reported("make", law.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
@@ -182,7 +182,7 @@ std::string try_law(const burin_factory& f) {
 std::string try_marks(const burin_factory& f) {
   const auto& k = *static_cast<const burin_stroke_kind_1*>(f.functions);
   burin_error error{};
-  Made made(k.destroy);
+  MadeForTrial made(k.destroy);
   std::string fault =
       reported("make", k.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
@@ -265,7 +265,7 @@ std::string try_patch(const burin_form_1& s, const void* self) {
 std::string try_form(const burin_factory& f) {
   const auto& s = *static_cast<const burin_form_1*>(f.functions);
   burin_error error{};
-  Made made(s.destroy);
+  MadeForTrial made(s.destroy);
   std::string fault = reported("make", s.make(fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;

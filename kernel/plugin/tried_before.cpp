@@ -28,7 +28,7 @@ fs::path cache_file() {
   return folder.empty() ? folder : folder / "plugins.json";
 }
 
-std::string text_of(const Json& json, const char* key) {
+std::string json_text(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
@@ -44,12 +44,12 @@ std::string identity_of(const fs::path& file) {
 TriedBefore TriedBefore::from_text(const std::string& text) {
   TriedBefore all;
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || text_of(json, "format") != kFormat) return all;
+  if (!json.is_object() || json_text(json, "format") != kFormat) return all;
   const auto files = json.find("files");
   if (files == json.end() || !files->is_object()) return all;
   for (const auto& [file, entry] : files->items()) {
     if (all.files_.size() == kMostEntries || !entry.is_object()) break;
-    const std::string identity = text_of(entry, "identity"), probe = text_of(entry, "probe");
+    const std::string identity = json_text(entry, "identity"), probe = json_text(entry, "probe");
     const auto fault = entry.find("fault");
     if (identity.empty() || probe.empty() || fault == entry.end() || !fault->is_string()) continue;
     all.files_[file] = {identity, probe, fault->get<std::string>()};

@@ -11,8 +11,6 @@
 namespace burin::repair_stages {
 namespace {
 
-constexpr std::size_t kGrain = 16384;
-
 /// One triangle at a vertex: the fan goes on from `next` to `prev`.
 struct Spoke {
   std::uint32_t next, prev;
@@ -138,8 +136,8 @@ Cleanness inspect(const TriMesh& mesh, const RunContext& context) {
       }
     }
   };
-  parallel_for(mesh.triangles.size(), kGrain, triangles, &context);
-  parallel_for(mesh.positions.size(), kGrain, vertices, &context);
+  parallel_for(mesh.triangles.size(), kFaceGrain, triangles, &context);
+  parallel_for(mesh.positions.size(), kFaceGrain, vertices, &context);
   result.manifold = manifold;
   result.flat = flat;
   result.boundary_edges = boundary;

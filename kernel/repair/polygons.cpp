@@ -16,8 +16,6 @@
 namespace burin::repair_stages {
 namespace {
 
-constexpr std::size_t kGrain = 16384;
-
 /// Twice the area vector of a polygon, from differences to its first corner so that a far origin
 /// costs no digits.
 Vec3 area_vector(std::span<const Vec3> positions, std::span<const std::uint32_t> corners) {
@@ -221,7 +219,7 @@ void check_soup(const PolygonSoup& soup, const RunContext& context) {
   if (soup.indices.size() >= kNone)
     throw GeometryError("more than 4,294,967,294 corners; split the model");
   parallel_for(
-      soup.polygon_count(), kGrain,
+      soup.polygon_count(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
           if (soup.offsets[f + 1] < soup.offsets[f] + 3 ||
@@ -248,7 +246,7 @@ TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext
   mesh.triangles.resize(soup.indices.size() - 2 * soup.polygon_count());
   std::atomic<std::int64_t> crossed{0};
   parallel_for(
-      soup.polygon_count(), kGrain,
+      soup.polygon_count(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
           const std::size_t first = soup.offsets[f], count = soup.offsets[f + 1] - first;

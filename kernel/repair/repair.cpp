@@ -16,7 +16,7 @@ namespace {
 
 using namespace repair_stages;
 
-constexpr std::size_t kGrain = 65536;
+constexpr std::size_t kCornerGrain = 65536;
 
 // Squares of squares of larger coordinates leave the range of double.
 constexpr double kLargestCoordinate = 1e60;
@@ -33,7 +33,7 @@ template <class Predicate>
 bool any_position(const TriMesh& mesh, const RunContext& context, const Predicate& predicate) {
   std::atomic<bool> found{false};
   parallel_for(
-      mesh.positions.size(), kGrain,
+      mesh.positions.size(), kCornerGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           if (predicate(mesh.positions[i])) {
@@ -106,7 +106,7 @@ void merge_points(TriMesh& mesh, const RunContext& context) {
   if (w.first.size() == mesh.positions.size()) return;
   for (std::size_t i = 0; i < w.first.size(); ++i) mesh.positions[i] = mesh.positions[w.first[i]];
   mesh.positions.resize(w.first.size());
-  parallel_for(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(mesh.triangles.size(), kCornerGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (std::uint32_t& v : mesh.triangles[t]) v = w.vertex[v];
     }

@@ -5,11 +5,15 @@
 #include <burin/base/run_context.h>
 #include <burin/mesh/tri_mesh.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace burin::repair_stages {
+
+/// Triangles or polygons a range of the parallel loops.
+constexpr std::size_t kFaceGrain = 16384;
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 

@@ -20,7 +20,7 @@ constexpr double kOneLine = 0.2, kLeast = 0.8;
 /// Paper mm of a move that is worth an arrow, of its line and of its head.
 constexpr double kLeastArrow = 2.5, kArrow = 0.35, kHead = 2.5, kHeadWidth = 1.4;
 
-bool is_stroke(const Path& path) {
+bool is_stroke_or_pattern(const Path& path) {
   return path.kind == LineClass::Stroke || path.kind == LineClass::Pattern;
 }
 
@@ -104,7 +104,8 @@ class Overlay {
       for (const Layer& layer : drawing.layers) {
         for (const Path& path : layer.paths) {
           const PartDifference* part = of(known, path.source.part);
-          if (!part || part->change() != PartChange::Changed || is_stroke(path)) continue;
+          if (!part || part->change() != PartChange::Changed || is_stroke_or_pattern(path))
+            continue;
           context_.check();
           lines.try_emplace(known.at(path.source.part), kOneLine).first->second.add(path);
         }
@@ -147,7 +148,7 @@ class Overlay {
     for (const Layer& layer : before_.layers) {
       for (const Path& path : layer.paths) {
         const PartDifference* part = of(of_before_, path.source.part);
-        if (!part || !shown(path) || is_stroke(path)) continue;
+        if (!part || !shown(path) || is_stroke_or_pattern(path)) continue;
         Path line = path;
         line.source.part = id_of_before(path.source.part);
         if (part->change() == PartChange::Changed) {
@@ -168,7 +169,7 @@ class Overlay {
                    const std::map<std::int32_t, std::size_t>& known, const std::string& on,
                    const std::string& off, std::optional<std::int32_t> part = {}) {
     context_.check();
-    if (is_stroke(path)) return layers_.add(on, layer, path);
+    if (is_stroke_or_pattern(path)) return layers_.add(on, layer, path);
     const auto lines = others.find(known.at(part.value_or(path.source.part)));
     if (lines == others.end()) return layers_.add(off, layer, path);
     PartedPath pieces = parted(path, lines->second, kLeast);

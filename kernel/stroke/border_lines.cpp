@@ -13,15 +13,15 @@ namespace burin::detail {
 namespace {
 
 constexpr double kMostMissing = 20;  // gaps: a step of the stair beside lines 1 degree off it
-constexpr double kTip = 3;           // gaps over which the direction of an end is measured
+constexpr double kTipOfEnd = 3;      // gaps over which the direction of an end is measured
 // Gaps that an end may lie beside the other's direction, or an arc beside its chord.
-constexpr double kBeside = 0.5;
+constexpr double kBesideTip = 0.5;
 constexpr double kStraight = -0.97;  // cosine between the directions of both ends: 14 degrees
 // Radians by which an arc may leave its chord otherwise than it comes back to it.
 constexpr double kUneven = 0.25;
 // Cosine: where a surface is seen more edge-on lines draw together.
-constexpr double kSlanted = 0.35;
-constexpr std::size_t kNone = SIZE_MAX;
+constexpr double kSlantedBorder = 0.35;
+constexpr std::size_t kNoTip = SIZE_MAX;
 
 // An end of a line at the border of a region.
 struct Tip {
@@ -31,7 +31,7 @@ struct Tip {
   double gap = 0;
   bool square = false;  // not at a contour, where what has one number need not be one line
   std::pair<std::uint32_t, std::int64_t> key{};  // what counts its turns, and their number
-  std::size_t joined = kNone;                    // the tip that it goes on into
+  std::size_t joined = kNoTip;                   // the tip that it goes on into
   double bend = 0;                               // ... and how (Bridge)
 };
 
@@ -40,7 +40,7 @@ Tip tip_of(const LevelLine& line, std::size_t number, bool begin) {
   const auto at = [&](std::size_t i) { return begin ? i : p.size() - 1 - i; };
   Tip tip{.line = number, .begin = begin, .at = p[at(0)], .gap = line.gaps[at(0)]};
   std::size_t i = 1;
-  while (i + 1 < p.size() && glm::distance(p[at(i)], tip.at) < kTip * tip.gap) ++i;
+  while (i + 1 < p.size() && glm::distance(p[at(i)], tip.at) < kTipOfEnd * tip.gap) ++i;
   const double length = glm::distance(tip.at, p[at(i)]);
   if (length > 0) tip.outwards = (tip.at - p[at(i)]) / length;
   return tip;
@@ -64,15 +64,15 @@ std::optional<Bridge> bridge(const Tip& a, const Tip& b) {
   if (a.line == b.line || length > kMostMissing * gap) return std::nullopt;
   if (glm::dot(a.outwards, chord) < 0 || glm::dot(b.outwards, chord) > 0) return std::nullopt;
   if (glm::dot(a.outwards, b.outwards) < kStraight &&
-      std::abs(cross2(a.outwards, chord)) < kBeside * gap &&
-      std::abs(cross2(b.outwards, chord)) < kBeside * gap) {
+      std::abs(cross2(a.outwards, chord)) < kBesideTip * gap &&
+      std::abs(cross2(b.outwards, chord)) < kBesideTip * gap) {
     return Bridge{length, 0};
   }
   const double begin = turn(chord, a.outwards), end = turn(chord, -b.outwards);
   if (!a.square || !b.square || std::abs(begin + end) > kUneven) return std::nullopt;
   // The directions are those of chords of both lines: the arc between them turns less than they do.
-  const double bend = 0.5 * (begin - end) * length / (length + kTip * gap);
-  if (0.5 * length * std::abs(std::tan(0.5 * bend)) > kBeside * gap) return std::nullopt;
+  const double bend = 0.5 * (begin - end) * length / (length + kTipOfEnd * gap);
+  if (0.5 * length * std::abs(std::tan(0.5 * bend)) > kBesideTip * gap) return std::nullopt;
   return Bridge{length, bend};
 }
 
@@ -93,23 +93,23 @@ class Joiner {
   void run(const RunContext& context) {
     find_tips();
     pair_tips(context);
-    std::vector<std::size_t> tip_at(2 * lines_.size(), kNone);  // of each line's begin and end
+    std::vector<std::size_t> tip_at(2 * lines_.size(), kNoTip);  // of each line's begin and end
     for (std::size_t i = 0; i < tips_.size(); ++i) {
       tip_at[2 * tips_[i].line + (tips_[i].begin ? 0 : 1)] = i;
     }
     const auto joined = [&](std::size_t line, bool begin) {
       const std::size_t tip = tip_at[2 * line + (begin ? 0 : 1)];
-      return tip == kNone ? kNone : tips_[tip].joined;
+      return tip == kNoTip ? kNoTip : tips_[tip].joined;
     };
     std::vector<LevelLine> out;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       // Chains begin at an end that goes on into nothing; of lines joined to a ring one does, too.
-      const bool from_begin = joined(i, true) == kNone;
-      if (lines_[i].points.empty() || (!from_begin && joined(i, false) != kNone)) continue;
+      const bool from_begin = joined(i, true) == kNoTip;
+      if (lines_[i].points.empty() || (!from_begin && joined(i, false) != kNoTip)) continue;
       if (!from_begin) reverse(lines_[i]);
       std::size_t next = joined(i, !from_begin);
       LevelLine line = std::exchange(lines_[i], {});
-      while (next != kNone) {
+      while (next != kNoTip) {
         const Tip& tip = tips_[next];
         LevelLine more = std::exchange(lines_[tip.line], {});
         if (!tip.begin) reverse(more);
@@ -146,7 +146,7 @@ class Joiner {
         if (begin ? line.begin_inside : line.end_inside) continue;
         tips_.push_back(tip_of(line, i, begin));
         tips_.back().key = {roots[line.node], line.number};
-        tips_.back().square = raster_.nearest(tips_.back().at).facing > kSlanted;
+        tips_.back().square = raster_.nearest(tips_.back().at).facing > kSlantedBorder;
       }
     }
     std::ranges::stable_sort(tips_, [](const Tip& a, const Tip& b) {
@@ -174,7 +174,7 @@ class Joiner {
     for (const auto& [way, a, b] : pairs) {
       const auto one = static_cast<std::uint32_t>(tips_[a].line),
                  other = static_cast<std::uint32_t>(tips_[b].line);
-      if (tips_[a].joined != kNone || tips_[b].joined != kNone) continue;
+      if (tips_[a].joined != kNoTip || tips_[b].joined != kNoTip) continue;
       if (chains.find(one) == chains.find(other)) continue;
       chains.join(one, other);
       tips_[a].joined = b;

@@ -17,7 +17,7 @@ constexpr double kMostTurn = 6 * std::numbers::pi / 180;
 constexpr double kFree = 0.2;  // gaps that it may be off there
 // Cosines: where a surface is slanted more than the first a level line says nothing of the way on
 // it (a hair on paper is many degrees there), and all where it is seen squarer than the second.
-constexpr double kSlanted = 0.2, kSquare = 0.5;
+constexpr double kSlantedLevel = 0.2, kSquareLevel = 0.5;
 constexpr double kEdgeOn = 0.02;  // ... and no direction on paper anything of one on the surface
 // Gaps off its level line from which on a stroke turns back to it all the same, the more the nearer
 // it is to being lost.
@@ -117,8 +117,8 @@ Vec3 steer(const Picture& picture, std::int32_t part, const StrokeSample& at, Ve
   const bool edge_on = std::abs(shown.area) < kEdgeOn * scale * scale;
   const bool exact = picture.surface(part).exact();
   const double lost = (std::abs(heading.off) / heading.gap - kNearlyLost) / (kLost - kNearlyLost);
-  const double trust =
-      std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0);
+  const double trust = std::clamp(
+      std::max((at.facing - kSlantedLevel) / (kSquareLevel - kSlantedLevel), lost), 0.0, 1.0);
   if (edge_on || (trust == 0 && !exact)) return shown.turned(-heading.off / kTurnOver);
   const Vec3 along = normalize_or(shown.showing(heading.ahead), tangent);
   if (exact) {

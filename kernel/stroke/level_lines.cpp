@@ -1,5 +1,7 @@
 #include "level_lines.h"
 
+#include "level_phase.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +12,12 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kLeastLength = 2;  // gaps: of a line that ends inside at both ends
-constexpr int kPasses = 4;          // of smoothing
-constexpr int kTipSteps = 64;       // crossings at the most to the place by which a tip is judged
-constexpr double kTipLength = 1.5;  // gaps from a tip to there: nearer by, lines give way to it
-constexpr double kBeside = 0.5;     // gaps that a line may be moved aside to go on as another
-constexpr double kBesideEnd = 8;    // gaps from a tip within which lines make room for it
+constexpr double kLeastLength = 2;   // gaps: of a line that ends inside at both ends
+constexpr int kPasses = 4;           // of smoothing
+constexpr int kTipSteps = 64;        // crossings at the most to the place by which a tip is judged
+constexpr double kTipLength = 1.5;   // gaps from a tip to there: nearer by, lines give way to it
+constexpr double kBesideLine = 0.5;  // gaps that a line may be moved aside to go on as another
+constexpr double kBesideEnd = 8;     // gaps from a tip within which lines make room for it
 constexpr std::int64_t kMostReach = 64;  // ... in cells, at the most
 constexpr double kOpposite = -0.7;       // cosine between the ways of two that may go on so
 
@@ -187,7 +188,7 @@ class Marcher {
       }
     }
     while (tips.size() > 2) {
-      double best = kBeside * gap;
+      double best = kBesideLine * gap;
       std::size_t first = 0, second = 0;
       for (std::size_t i = 0; i < tips.size(); ++i) {
         for (std::size_t j = i + 1; j < tips.size(); ++j) {

@@ -13,7 +13,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kNearest = 0.05;  // paper mm
 constexpr std::size_t kGrain = 1024;
 

@@ -3,7 +3,11 @@
 
 #include "wave_phase.h"
 
+#include <numbers>
+
 namespace burin::detail {
+
+constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The step between lines: that of the options, or, where it is 0, of 1, 2 or 5 times a power of
 /// ten the one at which lines are on average about `spacing_min` apart on paper. Throws UsageError

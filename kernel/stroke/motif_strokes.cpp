@@ -11,7 +11,7 @@ namespace {
 // beside a vertex at which marches part, the line is broken.
 constexpr double kMostStretch = 4;
 // Halvings of a step to find where a line ends: to a thousandth of it.
-constexpr int kHalvings = 10;
+constexpr int kMotifHalvings = 10;
 
 class MotifWalk {
  public:
@@ -61,7 +61,7 @@ struct Place {
 
 // The last place on the way from `on` to `off` that lies on the surface.
 Place last_on(const MotifWalk& walk, Place on, Vec2 off) {
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kMotifHalvings; ++i) {
     const Vec2 middle = 0.5 * (on.motif + off);
     if (auto sample = walk.at(middle);
         sample && glm::distance(sample->point.position, on.sample->point.position) <=

@@ -16,7 +16,7 @@ constexpr std::size_t kAsked = 32;  // cells of a face
 constexpr double kNarrow = 1.2;     // shortest strokes
 constexpr double kSlim = 2;         // times as long as wide
 constexpr std::uint32_t kCheckEvery = 65536;
-constexpr double kSameWay = 0.7;  // sine of the turn up to which lines go on
+constexpr double kGoesOn = 0.7;  // sine of the turn up to which lines go on
 
 // Faces that seams alone divide: lines on one are lines on the other.
 class WholeFaces {
@@ -102,7 +102,7 @@ class Finder {
       const auto goes_on = [&](std::uint32_t i) {
         const Vec2 there = graph_.nodes[i].wave;
         return graph_.component[i] == graph_.component[own] && inked(i) &&
-               std::abs(glm::dot(there, line)) < kSameWay * glm::length(there);
+               std::abs(glm::dot(there, line)) < kGoesOn * glm::length(there);
       };
       along += chord(own, line, goes_on);
       across += chord(own, wave, on_face);

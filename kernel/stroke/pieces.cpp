@@ -67,8 +67,8 @@ class Fading {
 };
 
 // The pieces of a line in which there is enough ink, in their order.
-std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
-                         const Fading& fading, const RasterCell& cell, LevelLine line) {
+std::vector<Piece> inked_pieces(const Picture& picture, const ViewRaster& raster, int family,
+                                const Fading& fading, const RasterCell& cell, LevelLine line) {
   const std::size_t n = line.points.size();
   constexpr double kEven = 1e-3;  // ink
   std::vector<const RasterCell*> cells(n);
@@ -152,7 +152,7 @@ std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
   for (const CellLine& one : lines) {
     const RasterCell& cell = raster.cells[one.cell];
     Region& region = found[{cell.part, cell.region}];
-    for (Piece& piece : inked(picture, raster, family, fading, cell, one.line)) {
+    for (Piece& piece : inked_pieces(picture, raster, family, fading, cell, one.line)) {
       for (const Vec2& p : piece.line.points) region.box.add(p);
       region.pieces.push_back(std::move(piece));
     }

@@ -35,14 +35,14 @@ constexpr double kLongerRuled = 4;
 // Shares of the gap: a seed nearer than this to an accepted line is that line, where strokes run as
 // the field has it, and where they run along their level lines.
 constexpr double kTaken = 0.55, kSame = 0.3;
-constexpr int kHalvings = 2;  // of a line whose middle is taken, until it counts as drawn
+constexpr int kPlaceHalvings = 2;  // of a line whose middle is taken, until it counts as drawn
 // Where a stroke begins: this near its level line where it can be, and no farther off than that.
 constexpr double kOnLine = 0.02, kNearLine = 0.3;
 constexpr int kNewton = 4;
 // Gaps beside a contour up to which shade is too narrow for strokes that end in the light.
 constexpr double kStrip = 2;
 // Steps of the progress: of a family, and of each of the four stages before its lines are traced.
-constexpr std::size_t kSteps = 1000, kStage = 150;
+constexpr std::size_t kPlaceSteps = 1000, kStage = 150;
 
 void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t id) {
   for (const StrokeSample& s : stroke.samples) {
@@ -121,7 +121,7 @@ class Placement {
     const double taken = (known ? kTaken : kSame) * gap;
     if (out_.grid.nearest(grid_sample(seed, piece.part, -1), taken) < taken) {
       // That line, or lines that draw together just there: its other parts may be missing.
-      if (piece.halvings == kHalvings) return {};
+      if (piece.halvings == kPlaceHalvings) return {};
       std::vector<Piece> halves = left_of(piece, middle, middle);
       for (Piece& half : halves) half.halvings = piece.halvings + 1;
       return halves;
@@ -313,7 +313,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
           const auto count = static_cast<double>(region.pieces.size());
           placed[order[k]] =
               Placement(picture, family, region.box).place(std::move(region.pieces), context);
-          done.add(static_cast<std::size_t>((kSteps - 4 * kStage) * count / pieces));
+          done.add(static_cast<std::size_t>((kPlaceSteps - 4 * kStage) * count / pieces));
         }
       },
       &context);
@@ -341,7 +341,7 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
                                    const std::function<void(double)>& progress) {
   std::vector<Family> out(static_cast<std::size_t>(families),
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
-  SharedProgress done(static_cast<double>(families * kSteps), progress);
+  SharedProgress done(static_cast<double>(families * kPlaceSteps), progress);
   Remembered mine;
   Remembered& memory = picture.memory && ignores_light(picture) ? *picture.memory : mine;
   // Narrow faces are found on the graph of the field as it is.

@@ -21,7 +21,7 @@ constexpr double kDarts = 4;
 // Tried so often, discs of diameter d fill a plane with about so many points in d^2.
 constexpr double kPacking = 0.52;
 // Times that more points are asked for, twice as many each, where too few of a part are seen.
-constexpr int kRounds = 4;
+constexpr int kPointRounds = 4;
 // Points that are asked for beyond what a part needs on average, so that one round mostly does.
 constexpr double kSpare = 1.1;
 
@@ -54,7 +54,7 @@ double density(const Picture& picture, double ink) {
   return motifs_clear ? std::min(many, clear(std::max(o.length, o.spacing_min))) : many;
 }
 
-bool inked(const Picture& picture, const Seed& seed, const StrokeSample& at) {
+bool is_inked(const Picture& picture, const Seed& seed, const StrokeSample& at) {
   const double ink = picture.share(at.darkness, seed.family);
   return ink > 0 && ink >= picture.options.tone_min;
 }
@@ -70,7 +70,7 @@ std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
   StrokeSample a, b;
   sample(seed.point, a);
   if (!may_begin(picture, a)) return std::nullopt;
-  if (picture.laws->shape_picture() && !inked(picture, seed, a)) return std::nullopt;
+  if (picture.laws->shape_picture() && !is_inked(picture, seed, a)) return std::nullopt;
   const double length = kDot / picture.camera.scale_at(seed.point.position);
   // At an edge it goes the other way.
   for (const double sign : {1.0, -1.0}) {
@@ -159,7 +159,7 @@ class PointCover {
     request.count = static_cast<std::size_t>(
         std::min(kMostAsked, kSpare * static_cast<double>(wanted) * std::clamp(sheets, 1.0, most)));
     std::size_t seen = 0, begin = 0;
-    for (int round = 0; round < kRounds && seen < wanted; ++round) {
+    for (int round = 0; round < kPointRounds && seen < wanted; ++round) {
       const std::vector<SurfacePoint> points = surface.cover(request, context_);
       take(part, points, begin, wanted, seen);
       if (points.size() == begin) break;  // there are no more
@@ -327,7 +327,7 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
     StrokeSample at;
     if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return;
     // The weight of the coverage knows of laws to within a cell of the raster.
-    if (picture.laws->shape_picture() && !inked(picture, seed, at)) return;
+    if (picture.laws->shape_picture() && !is_inked(picture, seed, at)) return;
     const double law = picture.laws->length.plain() ? 1 : longer(picture, seed, at, i);
     if (picture.motif) {
       const Motif own = picture.marks ? mark_at(picture, seed, at, i) : Motif();

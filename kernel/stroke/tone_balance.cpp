@@ -22,9 +22,10 @@ constexpr double kLeastGamma = 0.5, kMostGamma = 1.5;
 // Ink below which a face stays the white paper that it is, and from which it takes all of a shift.
 constexpr double kWhite = 0.06, kToned = 0.2;
 constexpr double kMostShift = 0.08;  // of the ink of one face
-constexpr int kRounds = 12;
-constexpr int kLeastCells = 4;     // of a common edge that counts
-constexpr double kSlanted = 0.35;  // sine of the slant from which a plane has all of its gradient
+constexpr int kBalanceRounds = 12;
+constexpr int kLeastCells = 4;  // of a common edge that counts
+constexpr double kSlantedTone =
+    0.35;                          // sine of the slant from which a plane has all of its gradient
 constexpr double kSameInk = 1e-6;  // faces that are as light for every purpose
 
 using Key = std::pair<std::int32_t, std::int32_t>;  // part, region
@@ -41,7 +42,7 @@ struct Face {
 };
 
 // Where two faces meet: the ink on both sides of their common edge.
-struct Border {
+struct ToneBorder {
   double cells = 0, first = 0, second = 0;
 };
 
@@ -89,9 +90,9 @@ std::map<Key, Face> faces_of(const Picture& picture, const ViewRaster& raster) {
 }
 
 template <class Ink>
-std::map<std::pair<Key, Key>, Border> borders_of(const Picture& picture, const ViewRaster& raster,
-                                                 const Ink& ink) {
-  std::map<std::pair<Key, Key>, Border> borders;
+std::map<std::pair<Key, Key>, ToneBorder> borders_of(const Picture& picture,
+                                                     const ViewRaster& raster, const Ink& ink) {
+  std::map<std::pair<Key, Key>, ToneBorder> borders;
   for (std::int32_t y = 0; y < raster.ny; ++y) {
     for (std::int32_t x = 0; x < raster.nx; ++x) {
       for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}}) {
@@ -99,7 +100,7 @@ std::map<std::pair<Key, Key>, Border> borders_of(const Picture& picture, const V
         const RasterCell *a = &raster.at(x, y), *b = &raster.at(x + dx, y + dy);
         if (!meet(picture, raster.pitch, *a, *b)) continue;
         if (b->region < a->region) std::swap(a, b);
-        Border& border = borders[{{a->part, a->region}, {b->part, b->region}}];
+        ToneBorder& border = borders[{{a->part, a->region}, {b->part, b->region}}];
         border.cells += 1;
         border.first += ink(*a);
         border.second += ink(*b);
@@ -110,9 +111,9 @@ std::map<std::pair<Key, Key>, Border> borders_of(const Picture& picture, const V
 }
 
 // Moves planes apart that meet and are nearly as dark: the one in shade first, then the other.
-void set_apart(std::map<Key, Face>& faces, const std::map<std::pair<Key, Key>, Border>& borders,
+void set_apart(std::map<Key, Face>& faces, const std::map<std::pair<Key, Key>, ToneBorder>& borders,
                double contrast) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kBalanceRounds; ++round) {
     for (const auto& [key, border] : borders) {
       if (border.cells < kLeastCells) continue;
       Face &a = faces.at(key.first), &b = faces.at(key.second);
@@ -162,7 +163,8 @@ ToneBalance::ToneBalance(const Picture& picture, const ViewRaster& raster,
     const double range = face.nearest - face.farthest;
     if (range <= picture.same_place) continue;
     const double slant = std::sqrt(std::max(0.0, 1 - face.facing * face.facing));
-    shift.a_depth = static_cast<float>(options.gradient * std::min(1.0, slant / kSlanted) / range);
+    shift.a_depth =
+        static_cast<float>(options.gradient * std::min(1.0, slant / kSlantedTone) / range);
     shift.depth = static_cast<float>(0.5 * (face.nearest + face.farthest));
   }
 }

@@ -6,9 +6,9 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kLeastFacing = 0.15;  // cosine: seen more edge-on, a border is a contour
-constexpr double kMostSlant = 3;       // degrees between the lines and the border
-constexpr int kHalvings = 6;
+constexpr double kAnchorFacing = 0.15;  // cosine: seen more edge-on, a border is a contour
+constexpr double kMostSlant = 3;        // degrees between the lines and the border
+constexpr int kAnchorHalvings = 6;
 
 class Anchors {
  public:
@@ -32,7 +32,7 @@ class Anchors {
   void look(std::uint32_t node) {
     const std::uint32_t at = graph_.nodes[node].cell;
     const RasterCell& cell = raster_.cells[at];
-    if (cell.facing < kLeastFacing) return;
+    if (cell.facing < kAnchorFacing) return;
     const Vec2 wave = graph_.nodes[node].wave;
     const bool sideways = std::abs(wave.x) > std::abs(wave.y);
     const auto nx = static_cast<std::uint32_t>(raster_.nx);
@@ -73,7 +73,7 @@ class Anchors {
     };
     if (!is_own(0) || is_own(kFar)) return -1;
     double low = 0, high = kFar;
-    for (int k = 0; k < kHalvings + 1; ++k) {
+    for (int k = 0; k < kAnchorHalvings + 1; ++k) {
       const double middle = 0.5 * (low + high);
       (is_own(middle) ? low : high) = middle;
     }

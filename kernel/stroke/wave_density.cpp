@@ -16,11 +16,11 @@ const double kLeast = std::log(0.7);
 // Lines end rather than become denser than this; on a face of which everybody knows how lines run,
 // a line that ends shows more than many that meet at a contour.
 constexpr double kDensest = 1.8, kDensestRuled = 4;
-constexpr double kPenalty = 100;  // of a node out of bounds, in masses
-constexpr int kRounds = 4;        // of penalties
-constexpr int kSteps = 500;       // of conjugate gradients, in all rounds
-constexpr double kSmall = 5e-3;   // of the residual at which they are done
-constexpr std::size_t kRange = 8192;
+constexpr double kPenalty = 100;        // of a node out of bounds, in masses
+constexpr int kDensityRounds = 4;       // of penalties
+constexpr int kDensitySteps = 500;      // of conjugate gradients, in all rounds
+constexpr double kDensitySmall = 5e-3;  // of the residual at which they are done
+constexpr std::size_t kDensityRange = 8192;
 
 // A square of four nodes, two cells wide: how much the waves around it miss being a gradient,
 // `miss` + `by` . h, h being the logarithms of the scales at its corners.
@@ -50,13 +50,13 @@ class Density {
     pull_.assign(count_, 0.0);
     h_.assign(count_, 0.0);
     missed_.resize(squares_.size());
-    gradients_ = {count_, kSmall, context};
+    gradients_ = {count_, kDensitySmall, context};
   }
 
   // The logarithms of the scales of all nodes.
   std::vector<double> solve() {
-    int left = kSteps;
-    for (int round = 0; round < kRounds && left > 0; ++round) {
+    int left = kDensitySteps;
+    for (int round = 0; round < kDensityRounds && left > 0; ++round) {
       left = descend(left);
       bool bounded = true;
       for (std::size_t i = 0; i < count_; ++i) {
@@ -121,7 +121,7 @@ class Density {
   // The left side of the normal equations.
   void apply(const std::vector<double>& x, std::vector<double>& out) {
     parallel_for(
-        squares_.size(), kRange,
+        squares_.size(), kDensityRange,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t s = begin; s < end; ++s) {
             const Square& q = squares_[s];
@@ -137,7 +137,7 @@ class Density {
   // Calls `take(node, sum)` with what the squares around each node miss, weighed.
   template <class Take>
   void gather(const Take& take) {
-    parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
+    parallel_for(count_, kDensityRange, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double sum = 0;
         for (const std::uint32_t k : around_[i]) {
@@ -211,7 +211,7 @@ class Density {
   std::vector<Square> squares_;
   Groups<std::uint32_t> around_;  // the corners of squares at each number: 4 * square + corner
   std::vector<double> mass_, pull_, h_, missed_, most_;
-  ConjugateGradients gradients_{0, kSmall, context_};
+  ConjugateGradients gradients_{0, kDensitySmall, context_};
 };
 
 }  // namespace

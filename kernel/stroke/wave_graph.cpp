@@ -14,16 +14,16 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kLeastFacing = 0.03;  // cosine: seen more edge-on, a cell has no node
-constexpr double kLeastGap = 0.12;     // of its true length that a gap across the lines keeps
+constexpr double kNodeFacing = 0.03;  // cosine: seen more edge-on, a cell has no node
+constexpr double kLeastGap = 0.12;    // of its true length that a gap across the lines keeps
 constexpr double kSameLine = 0.6;   // cosine of the turn from cell to cell up to which lines go on
 constexpr double kTurned = 0.25;    // cosine: seen more edge-on, a surface turns away
 constexpr double kUnbroken = 0.94;  // ... without a bend: 20 degrees
 constexpr double kSlant = 0.34;     // ... and the sine of that to the border: as much
 constexpr double kAlike = 0.9;      // of the border of two faces where lines go on so: they are one
 constexpr double kDiagonal = 0.25;  // weight of a diagonal link
-// Lines may draw together towards contours: where the surface is slanted by more than kSlanted.
-constexpr double kSlanted = 0.5;
+// Lines may draw together towards contours: where the surface is slanted by more than kSlantedLink.
+constexpr double kSlantedLink = 0.5;
 constexpr double kDrawnTogether = 0.35;
 
 // What the links need to know of a cell.
@@ -40,7 +40,8 @@ using FaceId = std::pair<std::int32_t, std::int32_t>;  // part, face
 // How far apart lines are to run at a place that is seen under a cosine of `facing`.
 double gap_at(const Picture& picture, const RasterCell& cell, int family, double across) {
   const HatchOptions& o = picture.options;
-  const double even = kDrawnTogether + (1 - kDrawnTogether) * std::min(1.0, cell.facing / kSlanted);
+  const double even =
+      kDrawnTogether + (1 - kDrawnTogether) * std::min(1.0, cell.facing / kSlantedLink);
   constexpr double kLeastKept = 0.2;  // never denser than five times
   const double kept = std::max(across, kLeastKept);
   double gap = picture.line_spacing(picture.share(cell.darkness, family));
@@ -337,7 +338,7 @@ class Builder {
 
 }  // namespace
 
-bool has_node(const RasterCell& cell) { return cell.part >= 0 && cell.facing >= kLeastFacing; }
+bool has_node(const RasterCell& cell) { return cell.part >= 0 && cell.facing >= kNodeFacing; }
 
 WaveGraph wave_graph(const Picture& picture, const ViewRaster& raster, int family,
                      const RunContext& context) {

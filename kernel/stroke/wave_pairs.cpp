@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include "conjugate_gradients.h"
+#include "level_phase.h"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,11 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kFarthest = 32;  // triangles between two dislocations that cancel
-constexpr int kBorder = 3;     // ... between one and the border that it leaves by
-constexpr int kSteps = 120;    // of conjugate gradients
-constexpr double kSmall = 1e-3;
-constexpr std::size_t kRange = 8192;
+constexpr int kFarthest = 32;    // triangles between two dislocations that cancel
+constexpr int kBorder = 3;       // ... between one and the border that it leaves by
+constexpr int kPairSteps = 120;  // of conjugate gradients
+constexpr double kPairSmall = 1e-3;
+constexpr std::size_t kPairRange = 8192;
 
 class Pairs {
  public:
@@ -33,7 +33,7 @@ class Pairs {
     winds_.resize(triangles_.size());
     std::vector<std::int32_t> left;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (t % kRange == 0) context_.check();
+      if (t % kPairRange == 0) context_.check();
       winds_[t] = winding(triangles_[t]);
       if (winds_[t] != 0) left.push_back(static_cast<std::int32_t>(t));
     }
@@ -63,7 +63,7 @@ class Pairs {
       float by = 0;
     };
     for (std::size_t k = 0; k < graph_.links.size(); ++k) {
-      if (k % kRange == 0) context_.check();
+      if (k % kPairRange == 0) context_.check();
       const WaveLink& l = graph_.links[k];
       const double lack = phase_.advance[k] - turn_along(graph_, l);
       right[l.a] += l.weight * lack;
@@ -78,7 +78,7 @@ class Pairs {
       return std::array{Coupling{l.b, by}, Coupling{l.a, by}};
     });
     const auto apply = [&](const std::vector<double>& in, std::vector<double>& out) {
-      parallel_for(n, kRange, [&](std::size_t begin, std::size_t end) {
+      parallel_for(n, kPairRange, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           double sum = diagonal[i] * in[i];
           for (const Coupling& c : couplings[i]) sum -= c.by * in[c.to];
@@ -86,7 +86,7 @@ class Pairs {
         }
       });
     };
-    ConjugateGradients(n, kSmall, context_).solve(apply, diagonal, right, x, kSteps);
+    ConjugateGradients(n, kPairSmall, context_).solve(apply, diagonal, right, x, kPairSteps);
     for (std::size_t k = 0; k < graph_.links.size(); ++k) {
       const WaveLink& l = graph_.links[k];
       phase_.advance[k] += sign(l) * x[l.b] - x[l.a];

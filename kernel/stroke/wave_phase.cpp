@@ -11,8 +11,8 @@ namespace burin::detail {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kRange = 4096;     // of nodes: Gauss-Seidel inside, Jacobi between them
-constexpr std::uint32_t kCoarsest = 60;  // nodes
+constexpr std::size_t kPhaseRange = 4096;  // of nodes: Gauss-Seidel inside, Jacobi between them
+constexpr std::uint32_t kCoarsest = 60;    // nodes
 constexpr int kSweepsAtFirst = 400, kSweeps = 15, kSweepsAtLast = 12;
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -123,9 +123,9 @@ Level coarser(const Level& fine, std::uint32_t count, const RunContext& context)
 void sweep(const Level& level, std::vector<Vec2>& psi, int sweeps, const RunContext& context) {
   std::vector<Vec2> old;
   for (int pass = 0; pass < sweeps; ++pass) {
-    if (level.size() > kRange) old = psi;
+    if (level.size() > kPhaseRange) old = psi;
     parallel_for(
-        level.size(), kRange,
+        level.size(), kPhaseRange,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t step = begin; step < end; ++step) {
             const std::size_t i = pass % 2 == 0 ? step : begin + end - 1 - step;
@@ -163,7 +163,7 @@ WavePhase solve_phase(const WaveGraph& graph, const std::vector<WaveAnchor>& anc
     levels.push_back(coarser(levels.back(), count, context));
   }
   std::vector<Vec2> psi(levels.back().size(), Vec2(1, 0));
-  const bool small = levels.back().size() <= kRange;
+  const bool small = levels.back().size() <= kPhaseRange;
   sweep(levels.back(), psi, small ? kSweepsAtFirst : kSweeps, context);
   for (std::size_t l = levels.size() - 1; l-- > 0;) {
     const Level& level = levels[l];

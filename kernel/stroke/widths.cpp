@@ -10,8 +10,8 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kBlur = 0.9;  // paper mm, half width of each of the box blurs
-constexpr int kRounds = 4;     // of correction
+constexpr double kBlur = 0.9;    // paper mm, half width of each of the box blurs
+constexpr int kWidthRounds = 4;  // of correction
 // A width may leave its first guess by this factor: a stroke that is left alone in a fading tone
 // must not swell to a leaf to make up for its neighbours.
 constexpr double kMostCorrection = 1.6;
@@ -25,9 +25,9 @@ constexpr double kFaded = 0.3;  // weight under which a line needs no taper
 // Paper mm that the corner of a stroke may stick out over the border at which it ends: half of the
 // line that is drawn there.
 constexpr double kOverhang = 0.06;
-constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
-constexpr double kTip = 0.8;        // ... where they close up behind it
-constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
+constexpr double kBlunt = 0.3;  // paper mm over which a stroke thins out between its neighbours
+constexpr double kClosingTip = 0.8;  // ... where they close up behind it
+constexpr double kSmoothing = 1.2;   // paper mm over which widths are evened out along a stroke
 
 // A stroke that ends in the light is the fainter the nearer it is to the style's shortest, and
 // whole from so many of them on: the next one is too short and missing.
@@ -122,7 +122,7 @@ class WidthSolver {
       }
       blur(target);
       Plane ink;
-      for (int round = 0; round < kRounds; ++round) {
+      for (int round = 0; round < kWidthRounds; ++round) {
         context_.check();
         ink = deposit(f);
         correct(f, target, ink);
@@ -256,7 +256,7 @@ class WidthSolver {
         case StrokeEnd::Crowded:
           return std::min(longest, kBlunt);
         case StrokeEnd::Tip:
-          return std::min(longest, kTip);
+          return std::min(longest, kClosingTip);
         case StrokeEnd::Light:
           return last.weight < kFaded ? std::min(longest, kBlunt) : longest;
         case StrokeEnd::Singular:

@@ -11,8 +11,8 @@ namespace burin {
 namespace {
 
 // Paper mm: nearer to a border a place may count to either side.
-constexpr double kBeside = 0.12;
-constexpr int kDirections = 12;
+constexpr double kBesideBorder = 0.12;
+constexpr int kJudgedDirections = 12;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ const char* to_string(AreaFinding finding) {
 
 AreaJudge::AreaJudge(const AreaRule& rule, const AreaWitnesses& witnesses,
                      const RunContext& context)
-    : rule_(rule), witnesses_(witnesses), areas_(rule.areas, kBeside) {
+    : rule_(rule), witnesses_(witnesses), areas_(rule.areas, kBesideBorder) {
   const Referee& toned = witnesses.toned ? *witnesses.toned : witnesses.solid;
   normals_.resize(toned.surfaces().size());
   for (std::size_t i = 0; i < normals_.size(); ++i) {
@@ -199,8 +199,8 @@ AreaAnswer AreaJudge::test(Vec2 paper) const {
   const AreaAnswer holds{AreaFinding::Holds, answer.stated, answer.seen, answer.model};
   if (beside_border(paper)) return holds;
   for (const double share : {0.5, 1.0}) {
-    for (int i = 0; i < kDirections; ++i) {
-      const double a = 2 * std::numbers::pi * i / kDirections;
+    for (int i = 0; i < kJudgedDirections; ++i) {
+      const double a = 2 * std::numbers::pi * i / kJudgedDirections;
       const Vec2 there = paper + share * witnesses_.all.radius() * Vec2(std::cos(a), std::sin(a));
       if (ask(stated, there).finding == AreaFinding::Holds) return holds;
     }

@@ -12,12 +12,12 @@ namespace {
 
 // Paper mm between rays, more where these would be too many; and within which a line closes the
 // border.
-constexpr double kCell = 0.25;
+constexpr double kRayCell = 0.25;
 constexpr double kMostRays = 1e6;
 constexpr double kClose = 0.25;
 // Paper mm that a line may lie beside facets which are drawn round.
 constexpr double kRounded = 2;
-constexpr double kShortest = 0.5;
+constexpr double kShortestGap = 0.5;
 constexpr int kBisections = 8;
 
 /// A place of the border that no line closes.
@@ -26,9 +26,9 @@ struct Open {
   Referee::Seen seen;
 };
 
-struct Grid {
+struct RayGrid {
   Vec2 from{0};
-  double cell = kCell;
+  double cell = kRayCell;
   std::size_t columns = 0, rows = 0;
 
   Vec2 at(std::size_t i, std::size_t j) const {
@@ -36,10 +36,10 @@ struct Grid {
   }
 };
 
-Grid grid_of(const Drawing& drawing) {
-  Grid grid;
+RayGrid grid_of(const Drawing& drawing) {
+  RayGrid grid;
   const Vec2 sheet(drawing.paper_width, drawing.paper_height);
-  grid.cell = std::max(kCell, std::sqrt(sheet.x * sheet.y / kMostRays));
+  grid.cell = std::max(kRayCell, std::sqrt(sheet.x * sheet.y / kMostRays));
   grid.columns = static_cast<std::size_t>(sheet.x / grid.cell);
   grid.rows = static_cast<std::size_t>(sheet.y / grid.cell);
   return grid;
@@ -82,7 +82,7 @@ std::vector<Contradiction> stretches(const std::vector<Open>& open, double cell)
       }
     }
     const double length = glm::distance(low, high);
-    if (length < kShortest) continue;
+    if (length < kShortestGap) continue;
     const Open& middle = open[group[group.size() / 2]];
     out.push_back({.what = "missing",
                    .source = middle.seen.source,
@@ -102,7 +102,7 @@ std::vector<Contradiction> missing_outline(const Drawing& drawing, const Referee
     polylines.push_back(std::move(line));
   });
   const NearLines lines(polylines, kRounded);
-  const Grid grid = grid_of(drawing);
+  const RayGrid grid = grid_of(drawing);
   std::vector<std::vector<char>> covered(grid.rows);
   const auto look = [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {

@@ -36,7 +36,7 @@ constexpr double kSquarely = 3;
 // Of the radius, beside a contour: what the fine facets may be off its line.
 constexpr double kClosely = 0.25;
 // Of the radius, beside a border of a sheet that is seen from its edge.
-constexpr double kBeside = 0.75;
+constexpr double kBesideSheet = 0.75;
 // Times the radius, where facets may lie that far from the line that is drawn round.
 constexpr double kWidest = 8;
 
@@ -307,7 +307,7 @@ bool Referee::surface_near(const Point& p) const {
   const auto meets_any = [&](Vec3 from) {
     return std::ranges::any_of(ways, [&](Vec3 way) { return meets(from, way); });
   };
-  const double beside = kBeside * options_.radius / p.scale;
+  const double beside = kBesideSheet * options_.radius / p.scale;
   return meets_any(p.model) ||
          std::ranges::any_of(ways, [&](Vec3 way) { return meets_any(p.model + beside * way); });
 }

@@ -15,7 +15,7 @@ namespace {
 
 // Paper mm between two places of a line that are tested, and the shortest stretch that counts.
 constexpr double kStep = 0.125;
-constexpr double kShortest = 0.5;
+constexpr double kShortestStretch = 0.5;
 constexpr int kFewest = 4;  // the same in places
 // The tessellation's share of the drawing's tolerance. Finer than the sheet's own choice the lines
 // themselves are not.
@@ -81,7 +81,7 @@ Tested test_line(const Path& path, const Camera& camera, const Referee& referee,
                  const NearLines& drawn) {
   Tested tested;
   const std::vector<Place> places = places_of(path, camera, tested.length);
-  if (tested.length < kShortest || !std::isfinite(tested.length)) return {};
+  if (tested.length < kShortestStretch || !std::isfinite(tested.length)) return {};
   using Fold = Referee::Fold;
   const Fold fold = path.kind != LineClass::Contour ? Fold::None
                     : path.source.edge >= 0         ? Fold::Sharp

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 // Paper mm between places that are tested, more where these would be too many.
-constexpr double kCell = 0.5;
+constexpr double kAreaCell = 0.5;
 constexpr double kMostPlaces = 1e6;
 // Places along a side of a square that is wrong.
 constexpr int kCloser = 4;
@@ -20,11 +20,11 @@ constexpr int kCloser = 4;
 constexpr double kSmallest = 0.25;
 
 /// Squares of a box of the sheet.
-class Grid {
+class AreaGrid {
  public:
-  explicit Grid(const Box2& box)
+  explicit AreaGrid(const Box2& box)
       : from_(box.min),
-        cell_(std::max(kCell, std::sqrt(box.size().x * box.size().y / kMostPlaces))) {
+        cell_(std::max(kAreaCell, std::sqrt(box.size().x * box.size().y / kMostPlaces))) {
     columns_ = static_cast<std::size_t>(std::ceil(box.size().x / cell_));
     rows_ = static_cast<std::size_t>(std::ceil(box.size().y / cell_));
   }
@@ -58,7 +58,7 @@ class Grid {
 class Patches {
  public:
   /// `found`: at a place in each square.
-  Patches(const AreaJudge& judge, const Grid& grid, const std::vector<AreaFinding>& found,
+  Patches(const AreaJudge& judge, const AreaGrid& grid, const std::vector<AreaFinding>& found,
           const RunContext& context)
       : judge_(judge), grid_(grid), found_(found), context_(context), seen_(grid.size(), 0) {}
 
@@ -107,7 +107,7 @@ class Patches {
   }
 
   const AreaJudge& judge_;
-  const Grid& grid_;
+  const AreaGrid& grid_;
   const std::vector<AreaFinding>& found_;
   const RunContext& context_;
   /// A bit a kind.
@@ -120,7 +120,7 @@ AreaFindings wrong_areas(const AreaJudge& judge, const Box2& box, std::uint64_t 
                          const RunContext& context) {
   AreaFindings out;
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return out;
-  const Grid grid(box);
+  const AreaGrid grid(box);
   const Rng random(seed);
   std::vector<AreaFinding> found(grid.size(), AreaFinding::Holds);
   parallel_for(

@@ -11,14 +11,14 @@ namespace {
 // out over a smooth contour: below the width of a gap that a reader would see as one.
 constexpr double kBeside = 0.2;
 // Paper mm between two places that are looked at, and how many at least and at most.
-constexpr double kSpacing = 2;
-constexpr int kFewest = 3, kMost = 7;
+constexpr double kPlaceSpacing = 2;
+constexpr int kFewestPlaces = 3, kMostPlaces = 7;
 // Paper mm between two lines from which the strip between them is looked at, and of a line: its
 // ends at others would come off it as crumbs.
 constexpr double kStrip = 0.02, kStripLength = 0.3;
 // Where the outline begins without a line: paper mm between places, and the shortest stretch.
-constexpr double kFineSpacing = 0.25, kShortestStretch = 1.0;
-constexpr int kMostFine = 1024, kBisections = 14;
+constexpr double kFinePlaces = 0.25, kShortestOutline = 1.0;
+constexpr int kMostFinePlaces = 1024, kOutlineBisections = 14;
 
 // Whether there is paper from `p` to `p + side`. Where another line that is seen lies between, a
 // sheet may end there: a strip narrower than `side` is no paper, though there is paper beyond it.
@@ -69,15 +69,16 @@ void add_part(const Beside& beside, TrackPiece part, std::vector<TrackPiece>& ou
   const auto place = [&](int i, int count) {
     return part.from + part.length() * (i + 0.5) / count;
   };
-  const int count = std::clamp(static_cast<int>(part.length() / kSpacing), kFewest, kMost) | 1;
+  const int count =
+      std::clamp(static_cast<int>(part.length() / kPlaceSpacing), kFewestPlaces, kMostPlaces) | 1;
   int open = 0;
   for (int i = 0; i < count; ++i) open += beside.paper(place(i, count), strips) ? 1 : 0;
   part.outer = 2 * open > count;
-  if (open == 0 || open == count || part.length() < 2 * kShortestStretch) {
+  if (open == 0 || open == count || part.length() < 2 * kShortestOutline) {
     out.push_back(part);
     return;
   }
-  const int fine = std::min(static_cast<int>(part.length() / kFineSpacing), kMostFine);
+  const int fine = std::min(static_cast<int>(part.length() / kFinePlaces), kMostFinePlaces);
   std::vector<char> answers;
   for (int i = 0; i < fine; ++i) answers.push_back(beside.paper(place(i, fine), strips) ? 1 : 0);
   // At the most one change: an end of the outline. More are noise, and the most decide.
@@ -91,11 +92,11 @@ void add_part(const Beside& beside, TrackPiece part, std::vector<TrackPiece>& ou
   }
   const auto before = static_cast<int>(change - answers.begin());
   double from = place(before, fine), to = place(before + 1, fine);
-  if (from - part.from < kShortestStretch || part.to - to < kShortestStretch) {
+  if (from - part.from < kShortestOutline || part.to - to < kShortestOutline) {
     out.push_back(part);
     return;
   }
-  for (int i = 0; i < kBisections; ++i) {
+  for (int i = 0; i < kOutlineBisections; ++i) {
     const double middle = 0.5 * (from + to);
     (beside.paper(middle, strips) == (*change != 0) ? from : to) = middle;
   }

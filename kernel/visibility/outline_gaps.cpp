@@ -15,7 +15,7 @@ namespace {
 
 // Paper mm within which another line takes over, and along a line's own course from where on it is
 // another one.
-constexpr double kReach = 0.25, kAway = 1, kOwn = 3;
+constexpr double kGapReach = 0.25, kAway = 1, kOwn = 3;
 // Paper mm from one place of the border to the next; the first may lie this many times farther off
 // the end of the line.
 constexpr double kStep = 0.15;
@@ -24,14 +24,14 @@ constexpr int kFarthest = 3;
 constexpr double kLongest = 20;
 constexpr std::size_t kMostEnds = 500;
 // Directions that are looked at from each place; halvings of the angle between two.
-constexpr int kDirections = 32, kBisections = 10;
+constexpr int kDirections = 32, kGapBisections = 10;
 // The sharpest turn at a place of the border: 120 degrees.
 constexpr double kSharpest = -0.5;
 // Paper mm: this near a line the border has met it.
 constexpr double kMet = 0.03;
 
 /// A place of the border, on the object's side of it.
-struct Place {
+struct GapPlace {
   Vec2 paper{0};
   Probe::Seen seen;
 };
@@ -47,7 +47,7 @@ class Border {
   Border(const Probe& probe, Vec2 start, Vec2 heading)
       : probe_(probe), at_(start), heading_(heading) {}
 
-  std::optional<Place> next(double radius) {
+  std::optional<GapPlace> next(double radius) {
     const double angle = 2 * std::numbers::pi / kDirections;
     std::array<bool, kDirections> covered{};
     for (int k = 0; k < kDirections; ++k) covered[index(k)] = on_object(radius, angle * k);
@@ -62,7 +62,7 @@ class Border {
     }
     if (side == 0) return std::nullopt;
     double object = side > 0 ? best : best + angle, paper = side > 0 ? best + angle : best;
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kGapBisections; ++i) {
       const double middle = 0.5 * (object + paper);
       (on_object(radius, middle) ? object : paper) = middle;
     }
@@ -72,7 +72,7 @@ class Border {
     side_ = side;
     heading_ = turned(heading_, object);
     at_ = there;
-    return Place{there, *seen};
+    return GapPlace{there, *seen};
   }
 
  private:
@@ -117,8 +117,8 @@ Seen seen_lines(std::span<const Curve3> features, std::span<const std::vector<Sp
 }
 
 bool on_sheet(const Camera& camera, Vec2 p) {
-  return p.x > kReach && p.y > kReach && p.x < camera.paper().width - kReach &&
-         p.y < camera.paper().height - kReach;
+  return p.x > kGapReach && p.y > kGapReach && p.x < camera.paper().width - kGapReach &&
+         p.y < camera.paper().height - kGapReach;
 }
 
 /// Which way a line goes at its end, over its last 0.3 mm.
@@ -141,7 +141,7 @@ class Closer {
   Closer(const Seen& seen, const NearLines& grid, const Probe& probe)
       : seen_(seen), grid_(grid), probe_(probe) {}
 
-  std::optional<std::vector<Place>> close(const LineEnd& end) const {
+  std::optional<std::vector<GapPlace>> close(const LineEnd& end) const {
     const Polyline& line = seen_.lines[end.line];
     const std::vector<double> at = lengths_along(line);
     const auto other = [&](std::size_t l, std::size_t segment) {
@@ -150,13 +150,13 @@ class Closer {
     };
     const Vec2 from = end.last ? line.back() : line.front();
     Border border(probe_, from, heading_at(line, end.last));
-    std::vector<Place> gap;
-    std::optional<Place> place;
+    std::vector<GapPlace> gap;
+    std::optional<GapPlace> place;
     for (int i = 1; i <= kFarthest && !place; ++i) place = border.next(i * kStep);
     double nearest = std::numeric_limits<double>::infinity();
     for (int steps = static_cast<int>(kLongest / kStep); place && steps > 0; --steps) {
       const double distance = grid_.distance(place->paper, other);
-      if (distance > nearest && nearest <= kReach) return gap;  // it was met at the place before
+      if (distance > nearest && nearest <= kGapReach) return gap;  // it was met at the place before
       gap.push_back(*place);
       if (distance <= kMet) return gap;
       nearest = distance;
@@ -172,11 +172,11 @@ class Closer {
 };
 
 /// One curve a part that the border runs over.
-void add_curves(const std::vector<Place>& gap, Vec3 start, const Camera& camera,
+void add_curves(const std::vector<GapPlace>& gap, Vec3 start, const Camera& camera,
                 std::span<const ProxyMesh* const> proxies, std::vector<Curve3>& out) {
   Curve3 curve;
   Vec3 before = start;
-  const auto begin = [&](const Place& place) {
+  const auto begin = [&](const GapPlace& place) {
     curve = {};
     curve.kind = LineClass::Contour;
     curve.occluding = true;
@@ -185,7 +185,7 @@ void add_curves(const std::vector<Place>& gap, Vec3 start, const Camera& camera,
     curve.normals = {camera.to_viewer(before)};
   };
   begin(gap.front());
-  for (const Place& place : gap) {
+  for (const GapPlace& place : gap) {
     if (place.seen.where.part != curve.source.part) {
       if (curve.points.size() > 1) out.push_back(curve);
       begin(place);
@@ -212,7 +212,7 @@ std::vector<Curve3> outline_gaps(const Occluder& occluder,
                                  std::span<const std::vector<Span>> spans,
                                  const RunContext& context) {
   const Seen seen = seen_lines(features, spans, camera);
-  const NearLines grid(seen.lines, kReach);
+  const NearLines grid(seen.lines, kGapReach);
   std::vector<LineEnd> ends = free_ends(seen.lines, grid, seen.outline, kAway);
   if (ends.size() > kMostEnds) ends.resize(kMostEnds);
   const Probe probe(occluder, proxies, camera);
@@ -223,7 +223,7 @@ std::vector<Curve3> outline_gaps(const Occluder& occluder,
     context.check();
     const Polyline& line = seen.lines[end.line];
     const Vec2 p = end.last ? line.back() : line.front();
-    const auto here = [&](Vec2 q) { return glm::distance(p, q) <= kReach; };
+    const auto here = [&](Vec2 q) { return glm::distance(p, q) <= kGapReach; };
     if (!on_sheet(camera, p) || std::ranges::any_of(met, here)) continue;
     const auto gap = closer.close(end);
     if (!gap || gap->empty()) continue;

@@ -1,5 +1,7 @@
 #include "passages.h"
 
+#include "probe.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -13,9 +15,7 @@ constexpr double kTransversal = 0.24;
 // Cosine between a sheet and the view below which it is seen edge-on.
 constexpr double kEdgeOn = 0.05;
 // Paper mm along the curve within which it gets clear of the sheet.
-constexpr double kReach = 2;
-// Multiples of the occluder's resolution, as for points that lie on a plane.
-constexpr double kOnPlane = 4;
+constexpr double kClearReach = 2;
 
 class Finder {
  public:
@@ -79,7 +79,7 @@ class Finder {
     Vec2 from = track_.start(segment) + share * (track_.end(segment) - track_.start(segment));
     double travelled = 0;
     std::size_t i = step > 0 ? curve_.next(segment) : segment;
-    for (std::size_t k = 0; k < count && travelled < kReach; ++k) {
+    for (std::size_t k = 0; k < count && travelled < kClearReach; ++k) {
       const double off = glm::dot(curve_.points[i] - at, n);
       if (std::abs(off) > clear) return off;
       const Vec2 here = track_.point(i);

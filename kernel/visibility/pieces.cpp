@@ -173,12 +173,12 @@ std::vector<TrackPiece> Cutting::classify(const Curve3& curve, const Track& trac
 
 namespace {
 
-struct Place {
+struct TrackPlace {
   std::size_t segment;
   double share;
 };
 
-Place place_at(const Track& track, double length) {
+TrackPlace place_on_track(const Track& track, double length) {
   double parameter = track.parameter_at(length);
   const auto n = static_cast<double>(track.segment_count());
   if (parameter >= n) parameter -= track.closed() ? n : 0;
@@ -189,12 +189,12 @@ Place place_at(const Track& track, double length) {
 }  // namespace
 
 bool Cutting::visible_at(const Curve3& curve, const Track& track, double length) const {
-  const Place place = place_at(track, length);
+  const TrackPlace place = place_on_track(track, length);
   return probe_.visible(curve, place.segment, place.share);
 }
 
 bool Cutting::hidden_by_others_at(const Curve3& curve, const Track& track, double length) const {
-  const Place place = place_at(track, length);
+  const TrackPlace place = place_on_track(track, length);
   return probe_.hidden_by_others(curve, place.segment, place.share);
 }
 
@@ -215,7 +215,8 @@ void Cutting::show_at_folds(const Curve3& curve, const Track& track,
     if (!pieces[(i + n - 1) % n].visible || !pieces[(i + 1) % n].visible) continue;
     bool hidden = false;
     for (int k = 0; k < kRays && !hidden; ++k) {
-      const Place place = place_at(track, piece.from + piece.length() * (k + 0.5) / kRays);
+      const TrackPlace place =
+          place_on_track(track, piece.from + piece.length() * (k + 0.5) / kRays);
       hidden = probe_.hidden_by_smooth(curve, place.segment, place.share, 1);
     }
     if (!hidden) shown.push_back(i);
@@ -227,7 +228,7 @@ bool Cutting::clearly_hidden_at(const Curve3& curve, const Track& track, double 
   // What the proxies do not tell apart is an estimate; the edges of a CAD file may lie off its
   // faces by more.
   constexpr double kClear = 3;
-  const Place place = place_at(track, length);
+  const TrackPlace place = place_on_track(track, length);
   return probe_.hidden_by(curve, place.segment, place.share, kClear);
 }
 

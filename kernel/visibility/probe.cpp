@@ -10,9 +10,6 @@
 namespace burin {
 namespace {
 
-// Multiples of the occluder's resolution: distance from a plane within which a point lies on it.
-// Covers vertices that went through single precision (STL) once in each part.
-constexpr double kOnPlane = 4;
 // Triangles around a point on a fold that are the fold: over so many edges in any direction, which
 // is two rings of vertices, or straight toward the viewer, where triangles are narrow across the
 // line of sight. From a contour along a row of cuts it takes some twenty such; so far only to a

@@ -12,6 +12,10 @@
 
 namespace burin {
 
+/// Multiples of the occluder's resolution: distance from a plane within which a point lies on it.
+/// Covers vertices that went through single precision (STL) once in each part.
+constexpr double kOnPlane = 4;
+
 /// Whether a curve is drawn on a surface rather than where surfaces bend, end or meet.
 inline bool lies_on_surface(const Curve3& curve) {
   return curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||

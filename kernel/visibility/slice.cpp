@@ -8,12 +8,12 @@ namespace {
 
 bool same_ink(const Span& a, const Span& b) { return a.visible == b.visible && a.outer == b.outer; }
 
-struct Place {
+struct CurvePlace {
   std::size_t segment;
   double t;
 };
 
-Place place_at(const Curve3& curve, double parameter, bool last) {
+CurvePlace place_on_curve(const Curve3& curve, double parameter, bool last) {
   const std::size_t n = curve.segment_count();
   const auto count = static_cast<double>(n);
   if (curve.closed) parameter -= std::floor(parameter / count) * count;
@@ -78,7 +78,8 @@ Curve3 slice(const Curve3& curve, double begin, double end) {
     return whole;
   }
   end = std::max(end, begin);
-  const Place from = place_at(curve, begin, false), to = place_at(curve, end, true);
+  const CurvePlace from = place_on_curve(curve, begin, false),
+                   to = place_on_curve(curve, end, true);
   Slicer slicer(curve);
   slicer.point(from.segment, from.t);
   std::size_t i = from.segment;

@@ -13,8 +13,8 @@ namespace {
 // beside a cut the polygons of the proxy and the smooth contour that cut differ by the chord error.
 constexpr double kMargin = 0.12, kWidestMargin = 0.6;
 // Paper mm a ray on a long piece; pieces shorter than this get three.
-constexpr double kSpacing = 1.5;
-constexpr int kFewest = 3, kMost = 129;
+constexpr double kRaySpacing = 1.5;
+constexpr int kFewestRays = 3, kMostRays = 129;
 // A piece whose rays disagree by more than a share, or over more than so many paper mm, is looked
 // at again: it may pass through a surface without a cut (a shaft into its hole).
 constexpr double kDoubt = 0.15, kDoubtLength = 1.2;
@@ -126,7 +126,7 @@ bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Trac
   };
   const auto look = [&](double spacing) {
     std::vector<char> seen(static_cast<std::size_t>(
-        std::clamp(static_cast<int>(probed / spacing) + 1, kFewest, kMostFine)));
+        std::clamp(static_cast<int>(probed / spacing) + 1, kFewestRays, kMostFine)));
     const int count = static_cast<int>(seen.size());
     for (int i = 0; i < count; ++i) {
       seen[static_cast<std::size_t>(i)] = !hidden_by_others_at(curve, track, at(i, count));
@@ -154,8 +154,9 @@ bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Trac
 void Cutting::ask(const Curve3& curve, const Track& track, const TrackPiece& piece,
                   std::vector<TrackPiece>& out) const {
   // Where cuts that lie far apart are one, more rays would tell nothing more.
-  const double spacing = std::max(kSpacing, same_cut_ / kFewest);
-  const int count = std::clamp(static_cast<int>(piece.length() / spacing) + 1, kFewest, kMost) | 1;
+  const double spacing = std::max(kRaySpacing, same_cut_ / kFewestRays);
+  const int count =
+      std::clamp(static_cast<int>(piece.length() / spacing) + 1, kFewestRays, kMostRays) | 1;
   double seen = 0, all = 0;
   int yes = 0;
   for (int i = 0; i < count; ++i) {
@@ -183,7 +184,8 @@ void Cutting::ask(const Curve3& curve, const Track& track, const TrackPiece& pie
 // one that the curve dives into; what it never gets clear of are the curve's own triangles.
 void Cutting::refine(const Curve3& curve, const Track& track, const TrackPiece& piece,
                      std::vector<TrackPiece>& out) const {
-  const int count = std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewest, kMostFine);
+  const int count =
+      std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewestRays, kMostFine);
   std::vector<char> answers(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     answers[static_cast<std::size_t>(i)] = visible_at(curve, track, place(piece, i, count));

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-Camera camera_of(const std::vector<ProxyMesh>& proxies) {
+Camera camera_on_proxies(const std::vector<ProxyMesh>& proxies) {
   return Camera::fit(
       [&](const Mat3& axes) {
         Box3 box;
@@ -25,7 +25,7 @@ Camera camera_of(const std::vector<ProxyMesh>& proxies) {
 }
 
 void run(benchmark::State& state, const std::vector<ProxyMesh>& proxies) {
-  const Camera camera = camera_of(proxies);
+  const Camera camera = camera_on_proxies(proxies);
   std::vector<const ProxyMesh*> pointers;
   std::size_t triangles = 0, chains = 0;
   for (const ProxyMesh& p : proxies) {
@@ -43,13 +43,13 @@ void run(benchmark::State& state, const std::vector<ProxyMesh>& proxies) {
   state.counters["chains"] = static_cast<double>(chains);
 }
 
-std::uint32_t side(std::int64_t triangles) {
+std::uint32_t side_of_torus(std::int64_t triangles) {
   return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles) / 4));
 }
 
 void feature_torus(benchmark::State& state) {
   const RunContext context;
-  const std::uint32_t n = side(state.range(0));
+  const std::uint32_t n = side_of_torus(state.range(0));
   std::vector<ProxyMesh> proxies;
   proxies.push_back(build_proxy(test::torus(3, 1, 2 * n, n), {}, context));
   run(state, proxies);
@@ -59,7 +59,7 @@ BENCHMARK(feature_torus)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecon
 // Bumps of some degrees everywhere: many contours and, at the creases of its facets, many chains.
 void feature_rough_torus(benchmark::State& state) {
   const RunContext context;
-  const std::uint32_t n = side(state.range(0));
+  const std::uint32_t n = side_of_torus(state.range(0));
   TriMesh mesh = test::torus(3, 1, 2 * n, n);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.positions[i] *= 1 + 0.3 / n * std::sin(12.9898 * static_cast<double>(i));
@@ -77,7 +77,7 @@ BENCHMARK(feature_rough_torus)
 // Two tori through each other, as two parts.
 void feature_intersection(benchmark::State& state) {
   const RunContext context;
-  const std::uint32_t n = side(state.range(0) / 2);
+  const std::uint32_t n = side_of_torus(state.range(0) / 2);
   std::vector<ProxyMesh> proxies;
   proxies.push_back(build_proxy(test::torus(3, 1, 2 * n, n), {}, context));
   proxies.push_back(build_proxy(

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-const TriMesh& torus_of(double triangles) {
+const TriMesh& torus_mesh(double triangles) {
   static std::map<double, TriMesh> cache;
   const auto it = cache.find(triangles);
   if (it != cache.end()) return it->second;
@@ -24,14 +24,14 @@ void count(benchmark::State& state, const TriMesh& mesh) {
 }
 
 void topology(benchmark::State& state) {
-  const TriMesh& mesh = torus_of(static_cast<double>(state.range(0)));
+  const TriMesh& mesh = torus_mesh(static_cast<double>(state.range(0)));
   const RunContext context;
   for (auto _ : state) benchmark::DoNotOptimize(build_topology(mesh, context));
   count(state, mesh);
 }
 
 void proxy(benchmark::State& state) {
-  const TriMesh& mesh = torus_of(static_cast<double>(state.range(0)));
+  const TriMesh& mesh = torus_mesh(static_cast<double>(state.range(0)));
   const RunContext context;
   for (auto _ : state) {
     state.PauseTiming();
@@ -44,7 +44,7 @@ void proxy(benchmark::State& state) {
 
 void curvature(benchmark::State& state) {
   const RunContext context;
-  const ProxyMesh mesh = build_proxy(torus_of(static_cast<double>(state.range(0))), {}, context);
+  const ProxyMesh mesh = build_proxy(torus_mesh(static_cast<double>(state.range(0))), {}, context);
   for (auto _ : state) benchmark::DoNotOptimize(estimate_curvature(mesh, {}, context));
   count(state, mesh.mesh);
 }
@@ -52,13 +52,13 @@ void curvature(benchmark::State& state) {
 void curvature_of_noise(benchmark::State& state) {
   const RunContext context;
   const ProxyMesh mesh =
-      build_proxy(test::noisy(torus_of(static_cast<double>(state.range(0))), 0.05), {}, context);
+      build_proxy(test::noisy(torus_mesh(static_cast<double>(state.range(0))), 0.05), {}, context);
   for (auto _ : state) benchmark::DoNotOptimize(estimate_curvature(mesh, {}, context));
   count(state, mesh.mesh);
 }
 
 void reorder_scattered(benchmark::State& state) {
-  const TriMesh& mesh = torus_of(static_cast<double>(state.range(0)));
+  const TriMesh& mesh = torus_mesh(static_cast<double>(state.range(0)));
   TriMesh scattered = mesh;
   const std::size_t n = mesh.positions.size();
   std::size_t step = n * 7 / 11 | 1;

@@ -39,7 +39,7 @@ std::shared_ptr<const ImplicitFunction> ball_function(std::int32_t degree) {
                               RunContext());
 }
 
-std::vector<Vec3> points(std::size_t n) {
+std::vector<Vec3> points_in_volume(std::size_t n) {
   std::vector<Vec3> out(n);
   // As a block of the mesher has them: neighbours share most coefficients.
   for (std::size_t i = 0; i < n; ++i) {
@@ -51,7 +51,7 @@ std::vector<Vec3> points(std::size_t n) {
 
 void volume_values(benchmark::State& state) {
   const auto f = ball_function(static_cast<std::int32_t>(state.range(0)));
-  const auto p = points(20'000);
+  const auto p = points_in_volume(20'000);
   std::vector<double> out(p.size());
   for (auto _ : state) {
     f->values(p, out);
@@ -63,7 +63,7 @@ BENCHMARK(volume_values)->Arg(3)->Arg(2);
 
 void volume_gradients(benchmark::State& state) {
   const auto f = ball_function(3);
-  const auto p = points(20'000);
+  const auto p = points_in_volume(20'000);
   std::vector<Gradient1> out(p.size());
   for (auto _ : state) {
     f->gradients(p, out);
@@ -75,7 +75,7 @@ BENCHMARK(volume_gradients);
 
 void volume_hessians(benchmark::State& state) {
   const auto f = ball_function(3);
-  const auto p = points(20'000);
+  const auto p = points_in_volume(20'000);
   std::vector<Gradient2> out(p.size());
   for (auto _ : state) {
     f->hessians(p, out);

@@ -46,7 +46,7 @@ class OpenscadInstances : public CliTest {
   }
 };
 
-using Items = std::map<std::string, int>;
+using ItemCounts = std::map<std::string, int>;
 
 const std::string kBolt =
     "module bolt(d = 6) { cylinder(d = d, h = 20, $fn = 32); translate([0, 0, 20]) cylinder(d = "
@@ -64,15 +64,15 @@ TEST_F(OpenscadInstances, AChainOfModulesIsCalledByTheOneThatMakesIt) {
       "module outline() circle(5);\n"
       "module row() for (i = [0:2]) translate([20 * i, 0, 0]) children();\n"
       "module drilled() difference() { children(0); cylinder(r = 1, h = 99, center = true); }\n";
-  EXPECT_EQ(items(modules + "base() knob();"), (Items{{"base", 1}}));
+  EXPECT_EQ(items(modules + "base() knob();"), (ItemCounts{{"base", 1}}));
   EXPECT_EQ(items(modules + "base() translate([1, 0, 0]) knob(); translate([50, 0, 0]) knob();"),
-            (Items{{"base", 1}, {"knob", 1}}));
+            (ItemCounts{{"base", 1}, {"knob", 1}}));
   EXPECT_EQ(items(modules + "box(3) outline(); translate([50, 0, 0]) knob();"),
-            (Items{{"box", 1}, {"knob", 1}}));
-  EXPECT_EQ(items(modules + "row() base() knob();"), (Items{{"base", 3}}));
+            (ItemCounts{{"box", 1}, {"knob", 1}}));
+  EXPECT_EQ(items(modules + "row() base() knob();"), (ItemCounts{{"base", 3}}));
   EXPECT_EQ(items(modules + "drilled() base() knob(); translate([50, 0, 0]) knob();"),
-            (Items{{"base", 1}, {"knob", 1}}));
-  EXPECT_EQ(items(modules + "drilled() knob();"), (Items{{"knob", 1}}));
+            (ItemCounts{{"base", 1}, {"knob", 1}}));
+  EXPECT_EQ(items(modules + "drilled() knob();"), (ItemCounts{{"knob", 1}}));
 }
 
 TEST_F(OpenscadInstances, TurnsWithinTurnsLoseNoCopies) {
@@ -82,12 +82,12 @@ TEST_F(OpenscadInstances, TurnsWithinTurnsLoseNoCopies) {
       "for (k = [0:11]) translate([60 * k, 0, 0]) rotate([0, 37.377368, 60]) "
       "rotate([0, 37.377368, 72 * k]) rotate([11.1, 3, 23.3]) rotate([10, 79.18, 41.9 + k]) "
       "rotate([0, 37.3, 60]) translate([20, 0, 0]) ";
-  EXPECT_EQ(items(bit + "bit();"), (Items{{"bit", 12}}));
+  EXPECT_EQ(items(bit + "bit();"), (ItemCounts{{"bit", 12}}));
   EXPECT_EQ(items(bit + "scale(1.00003 + 0.00004 * k) bit();").size(), 12U);
 }
 
 TEST_F(OpenscadInstances, ALoopMakesAsManyAsItTurns) {
-  const Items right{{"plate", 1}, {"bolt", 6}};
+  const ItemCounts right{{"plate", 1}, {"bolt", 6}};
   EXPECT_EQ(items(kBolt + kPlate + "plate();\n" + kEach + "bolt();"), right);
   EXPECT_EQ(items("use <burin.scad>\n" + kBolt + kPlate + "part(\"plate\") plate();\n" + kEach +
                   "part(\"bolt\") bolt();"),
@@ -98,7 +98,7 @@ TEST_F(OpenscadInstances, ALoopMakesAsManyAsItTurns) {
 }
 
 TEST_F(OpenscadInstances, ModulesThatPlaceOthersAreSeenThrough) {
-  const Items right{{"plate", 1}, {"bolt", 6}};
+  const ItemCounts right{{"plate", 1}, {"bolt", 6}};
   // A module of calls alone, one that loops over others, and one that places its children.
   EXPECT_EQ(items(kBolt + kPlate + "module all() { plate(); " + kEach + "bolt(); }\nall();"),
             right);
@@ -119,7 +119,7 @@ TEST_F(OpenscadInstances, OfSeveralColoursAreOneThingEach) {
       "module motor() { color(\"silver\") cylinder(d = 20, h = 30, $fn = 48); color(\"gold\") "
       "translate([0, 0, 30]) cylinder(d = 4, h = 12, $fn = 24); }\n";
   const std::string loop = "for (x = [0, 30, 60]) translate([x, 0, 0]) ";
-  const Items three{{"motor", 3}};
+  const ItemCounts three{{"motor", 3}};
   EXPECT_EQ(items(motor + loop + "motor();"), three);
   EXPECT_EQ(items(motor + "motor(); translate([30, 0, 0]) motor(); translate([60, 0, 0]) motor();"),
             three);
@@ -137,24 +137,24 @@ TEST_F(OpenscadInstances, OfSeveralColoursAreOneThingEach) {
                   "color(\"gold\") translate([x, 0, 30]) cylinder(d = 4, h = 12, $fn = 24); }\n"
                   "motor(0); translate([30, 0, 0]) motor(5); translate([60, 0, 0]) rotate(70) "
                   "motor(5);"),
-            (Items{{"motor", 1}, {"motor (2)", 2}}));
+            (ItemCounts{{"motor", 1}, {"motor (2)", 2}}));
   // A program of one call is what that holds.
-  EXPECT_EQ(items(motor + "motor();"), (Items{{"motor", 1}, {"motor (2)", 1}}));
+  EXPECT_EQ(items(motor + "motor();"), (ItemCounts{{"motor", 1}, {"motor (2)", 1}}));
 }
 
 TEST_F(OpenscadInstances, AreFoundWhateverIsSaidOfThem) {
   const std::string use = "use <burin.scad>\n";
   const std::string row = "for (x = [0, 30, 60]) translate([x, 0, 0]) ";
-  const Items three{{"bolt", 3}};
+  const ItemCounts three{{"bolt", 3}};
   EXPECT_EQ(items(use + kBolt + "ink(\"engraving\") " + row + "bolt();"), three);
   EXPECT_EQ(items(use + kBolt + "explode([0, 0, 20]) " + row + "bolt();"), three);
   EXPECT_EQ(items(kBolt + row + "if (x == 30) #bolt(); else bolt();"), three);
-  EXPECT_EQ(items(kBolt + row + "if (x == 30) %bolt(); else bolt();"), (Items{{"bolt", 2}}));
-  EXPECT_EQ(items(kBolt + "#bolt(); translate([30, 0, 0]) bolt();"), (Items{{"bolt", 2}}));
+  EXPECT_EQ(items(kBolt + row + "if (x == 30) %bolt(); else bolt();"), (ItemCounts{{"bolt", 2}}));
+  EXPECT_EQ(items(kBolt + "#bolt(); translate([30, 0, 0]) bolt();"), (ItemCounts{{"bolt", 2}}));
   // Beside what part() names, too.
   EXPECT_EQ(items(use + kBolt + kPlate + "module all() { part(\"base\") plate(); " + kEach +
                   "bolt(); }\nall();"),
-            (Items{{"base", 1}, {"bolt", 6}}));
+            (ItemCounts{{"base", 1}, {"bolt", 6}}));
 }
 
 TEST_F(OpenscadInstances, HaveTheNumberThatALoopGivesThem) {
@@ -181,16 +181,16 @@ TEST_F(OpenscadInstances, WhatIsFlatBesideSolidsIsTold) {
 
 TEST_F(OpenscadInstances, ArgumentsThatMakeOtherShapesMakeOtherItems) {
   EXPECT_EQ(items(kBolt + "for (i = [0:3]) translate([20 * i, 0, 0]) bolt(i < 2 ? 6 : 4);"),
-            (Items{{"bolt", 2}, {"bolt (2)", 2}}));
+            (ItemCounts{{"bolt", 2}, {"bolt (2)", 2}}));
   EXPECT_EQ(items(kBolt + "module nut() cylinder(d = 11, h = 5, $fn = 6);\nfor (i = [0:4]) "
                           "translate([20 * i, 0, 0]) if (i < 2) bolt(); else nut();"),
-            (Items{{"bolt", 2}, {"nut", 3}}));
+            (ItemCounts{{"bolt", 2}, {"nut", 3}}));
 }
 
 TEST_F(OpenscadInstances, BlocksOfCallsAreSeveralThings) {
   EXPECT_EQ(items(kBolt + "module washer() cylinder(d = 12, h = 1, $fn = 32);\nfor (x = [0, 30]) "
                           "translate([x, 0, 0]) { bolt(); translate([0, 0, 26]) washer(); }"),
-            (Items{{"bolt", 2}, {"washer", 2}}));
+            (ItemCounts{{"bolt", 2}, {"washer", 2}}));
 }
 
 TEST_F(OpenscadInstances, WhatIsOneBodyStaysOnePart) {
@@ -222,22 +222,23 @@ TEST_F(OpenscadInstances, WhatIsOneBodyStaysOnePart) {
 TEST_F(OpenscadInstances, OfSeveralSolidsAreOneItemWhicheverWayTheyAreTurned) {
   const std::string block = "module block() { cube(4); translate([1, 1, 4]) cube(2); }\n";
   const std::string turned = "translate([40 * i, 0, 0]) rotate([7 * i, 3 * i, 11 * i]) ";
-  EXPECT_EQ(items(block + "for (i = [0:20]) " + turned + "block();"), (Items{{"block", 21}}));
+  EXPECT_EQ(items(block + "for (i = [0:20]) " + turned + "block();"), (ItemCounts{{"block", 21}}));
   EXPECT_EQ(items(block + "for (i = [0:20]) " + turned + "scale(2.5) block();"),
-            (Items{{"block", 21}}));
+            (ItemCounts{{"block", 21}}));
 }
 
 // for (a = [0:60:360]) ends where it began.
 TEST_F(OpenscadInstances, WhatStandsTwiceInOnePlaceCountsOnce) {
   const std::string pin = "module pin() cylinder(d = 3, h = 9);\n";
   EXPECT_EQ(items(pin + "for (a = [0:60:360]) rotate(a) translate([20, 0, 0]) pin();"),
-            (Items{{"pin", 6}}));
+            (ItemCounts{{"pin", 6}}));
   EXPECT_NE(err_.find("warning: m.scad: a call of pin left out: an equal one is in the same place"),
             std::string::npos)
       << err_;
-  EXPECT_EQ(items(pin + "pin(); pin(); pin(); translate([9, 0, 0]) pin();"), (Items{{"pin", 2}}));
+  EXPECT_EQ(items(pin + "pin(); pin(); pin(); translate([9, 0, 0]) pin();"),
+            (ItemCounts{{"pin", 2}}));
   EXPECT_NE(err_.find("2 calls of pin left out"), std::string::npos) << err_;
-  EXPECT_EQ(items(pin + "color(\"red\") pin(); color(\"blue\") pin();"), (Items{{"pin", 2}}));
+  EXPECT_EQ(items(pin + "color(\"red\") pin(); color(\"blue\") pin();"), (ItemCounts{{"pin", 2}}));
   EXPECT_EQ(err_.find("left out"), std::string::npos) << err_;
 }
 
@@ -288,7 +289,7 @@ TEST_F(OpenscadInstances, MirroredOnesAreItemsOfTheirOwn) {
       "0, 0]) bracket();\ntranslate([30, 0, 0]) left();\ntranslate([-30, 0, 0]) right();\n"
       "translate([30, 40, 0]) rotate([0, 0, 180]) mirror([1, 0, 0]) mirror([1, 0, 0]) left();\n"
       "translate([-30, 40, 0]) rotate([0, 0, 180]) right();";
-  EXPECT_EQ(items(model), (Items{{"left", 2}, {"right", 2}}));
+  EXPECT_EQ(items(model), (ItemCounts{{"left", 2}, {"right", 2}}));
 }
 
 TEST_F(OpenscadInstances, WhateverMovesThemTheVolumeStays) {

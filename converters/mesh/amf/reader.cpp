@@ -19,8 +19,8 @@ using amf::Instance;
 using amf::Object;
 using amf::Volume;
 
-constexpr std::size_t kDeepest = 64;        // constellations inside constellations
-constexpr std::size_t kMostUses = 100'000;  // a few lines can ask for 2^60 objects
+constexpr std::size_t kDeepestConstellation = 64;  // constellations inside constellations
+constexpr std::size_t kMostInstances = 100'000;    // a few lines can ask for 2^60 objects
 
 class AmfReader {
  public:
@@ -75,7 +75,7 @@ void AmfReader::show(std::size_t object, const Placement& place,
   const std::string& name = document_.objects[object].name;
   const std::vector<Shape>& shapes = shapes_[object];
   for (const Shape& shape : shapes) {
-    if (file_.uses.size() == kMostUses) {
+    if (file_.uses.size() == kMostInstances) {
       source_.fail(
           "the constellations of the AMF ask for too many objects; it is damaged or "
           "hostile");
@@ -98,7 +98,7 @@ void AmfReader::show(std::size_t object, const Placement& place,
 void AmfReader::walk(const Instance& use, const Placement& above, std::vector<std::string> names,
                      std::size_t depth) {
   source_.context().check();
-  if (depth > kDeepest || ++placed_ > kMostUses) {
+  if (depth > kDeepestConstellation || ++placed_ > kMostInstances) {
     source_.fail(
         "the constellations of the AMF contain each other or are far too many; it is damaged or "
         "hostile");

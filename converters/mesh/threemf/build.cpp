@@ -14,8 +14,9 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t kDeepest = 64;        // components inside components
-constexpr std::size_t kMostUses = 100'000;  // a few lines of components can ask for 2^60 objects
+constexpr std::size_t kDeepestComponent = 64;  // components inside components
+constexpr std::size_t kMostComponents =
+    100'000;  // a few lines of components can ask for 2^60 objects
 constexpr std::size_t kMostTriangles = 100'000'000;
 
 /// What stands above an object on the way down from an item of the build.
@@ -159,7 +160,7 @@ void ThreeMfReader::components(const ThreeMfObject& object, const Above& inside,
 
 void ThreeMfReader::walk(const ThreeMfUse& use, const Above& above, std::size_t depth) {
   source_.context().check();
-  if (depth > kDeepest || ++uses_ > kMostUses) {
+  if (depth > kDeepestComponent || ++uses_ > kMostComponents) {
     source_.fail(
         "the components of the 3MF contain each other or are far too many; it is damaged or "
         "hostile");

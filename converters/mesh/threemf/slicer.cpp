@@ -16,7 +16,7 @@ namespace {
 
 using Objects = std::map<std::string, SlicerObject>;
 
-std::string metadata(const pugi::xml_node& node, std::string_view key) {
+std::string slicer_value(const pugi::xml_node& node, std::string_view key) {
   for (const pugi::xml_node& m : node.children("metadata")) {
     if (m.attribute("key").value() == key) return m.attribute("value").value();
   }
@@ -46,7 +46,7 @@ class Filaments {
 
   /// Of "extruder" in the settings of an object or part.
   std::optional<Rgba> of(const pugi::xml_node& node) const {
-    const std::string text = metadata(node, "extruder");
+    const std::string text = slicer_value(node, "extruder");
     std::size_t extruder = 0;
     std::from_chars(text.data(), text.data() + text.size(), extruder);
     return extruder >= 1 && extruder <= colors_.size() ? colors_[extruder - 1] : std::nullopt;
@@ -61,13 +61,13 @@ Objects of_parts(const pugi::xml_node& config, const Filaments& filaments) {
   Objects all;
   for (const pugi::xml_node& o : config.children("object")) {
     SlicerObject& object = all[o.attribute("id").value()];
-    object.name = metadata(o, "name");
+    object.name = slicer_value(o, "name");
     object.color = filaments.of(o);
     for (const pugi::xml_node& p : o.children("part")) {
       SlicerPart& part = object.parts.emplace_back();
       const std::string_view kind = p.attribute("subtype").value();
       part.id = p.attribute("id").value();
-      part.name = metadata(p, "name");
+      part.name = slicer_value(p, "name");
       part.solid = kind.empty() || kind == "normal_part";
       part.color = filaments.of(p);
       if (!part.color) part.color = object.color;
@@ -81,14 +81,14 @@ Objects of_volumes(const pugi::xml_node& config) {
   Objects all;
   for (const pugi::xml_node& o : config.children("object")) {
     SlicerObject& object = all[o.attribute("id").value()];
-    object.name = metadata(o, "name");
+    object.name = slicer_value(o, "name");
     for (const pugi::xml_node& v : o.children("volume")) {
       SlicerPart& part = object.parts.emplace_back();
-      const std::string kind = metadata(v, "volume_type");
+      const std::string kind = slicer_value(v, "volume_type");
       part.first = number(v, "firstid");
       part.last = number(v, "lastid");
-      part.name = metadata(v, "name");
-      part.solid = (kind.empty() || kind == "ModelPart") && metadata(v, "modifier") != "1";
+      part.name = slicer_value(v, "name");
+      part.solid = (kind.empty() || kind == "ModelPart") && slicer_value(v, "modifier") != "1";
     }
   }
   return all;

@@ -10,7 +10,7 @@ FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
 }
 
-std::vector<ReadRow> options() {
+std::vector<ReadRow> fcstd_rows() {
   return {
       {{{.option =
              {.name = "object",
@@ -58,6 +58,6 @@ const Reader kFcstd{"FreeCAD (.FCStd)",
                     },
                     FreecadFiles,
                     {},
-                    options};
+                    fcstd_rows};
 
 }  // namespace burin::detail

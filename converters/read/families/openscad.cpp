@@ -10,7 +10,7 @@ OpenscadOptions openscad_options(const ReadOptions& o) {
   return {o.defines, o.openscad_timeout, o.csg, o.heal.value_or(true), o.as_implicit};
 }
 
-std::vector<ReadRow> options() {
+std::vector<ReadRow> openscad_rows() {
   return {
       {{{.option =
              {.name = "define",
@@ -80,6 +80,6 @@ const Reader kOpenscad{"OpenSCAD (.scad, .csg)",
                        },
                        OpenscadFiles,
                        {},
-                       options};
+                       openscad_rows};
 
 }  // namespace burin::detail

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 50;
 
-std::vector<ReadRow> options() {
+std::vector<ReadRow> volume_rows() {
   return {
       {{{.option =
              {.name = "smooth",
@@ -93,6 +93,6 @@ const Reader kVolume{"volumes (.nrrd .nhdr .mha .mhd .inr .nii .nii.gz .vti, .ra
                      },
                      Volumes,
                      {},
-                     options};
+                     volume_rows};
 
 }  // namespace burin::detail

@@ -20,11 +20,9 @@
 namespace burin {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
 /// Shapes from which on neighbours become one path: cairo keeps a kilobyte for each.
 constexpr std::size_t kMany = 50'000;
 constexpr std::size_t kTogether = 64;
-constexpr std::size_t kAtOnce = 2048;  // shapes; a few ms of work
 
 /// Where cairo's bytes go. They stop when the run is cancelled.
 struct Sink {

@@ -22,9 +22,7 @@
 namespace burin {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
-constexpr int kDecimals = 3;           // of paper mm
-constexpr std::size_t kAtOnce = 2048;  // shapes; a few ms of work
+constexpr int kDecimals = 3;  // of paper mm
 
 /// The opacity of an area as states of the pen have it.
 long percent(const Area& area) { return std::lround(100 * area.opacity); }
@@ -209,8 +207,8 @@ class Page {
   std::vector<double> dashes_;
 };
 
-std::string painted(const Drawing& drawing, const Inks& inks, const WriteOptions& options,
-                    const RunContext& context) {
+std::string painted_inks(const Drawing& drawing, const Inks& inks, const WriteOptions& options,
+                         const RunContext& context) {
   const NearSheet sheet(drawing);
   std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
   Page page(drawing, inks);
@@ -252,7 +250,7 @@ void write_pdf_with_inks(std::span<const Drawing* const> pages, const WriteOptio
                                  "/Resources {} 0 R /Contents {} 0 R >>",
                                  tree, pages[i]->paper_width * kPointsPerMm,
                                  pages[i]->paper_height * kPointsPerMm, resources, content));
-    file.write_stream(content, painted(*pages[i], inks, options, context));
+    file.write_stream(content, painted_inks(*pages[i], inks, options, context));
     if (options.progress) {
       options.progress(static_cast<double>(i + 1) / static_cast<double>(pages.size()));
     }

@@ -100,9 +100,9 @@ Pixels pixels_of(const Drawing& drawing, const PngOptions& options) {
 
 /// The ink of one band, 0 to 255 a pixel; with colours on its paper, or on nothing, as cairo has
 /// it, premultiplied.
-Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& chosen,
-                const Grid& grid, int band, const Drawing& drawing, const PngOptions& options,
-                const RunContext& context) {
+Surface painted_sheet(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& chosen,
+                      const Grid& grid, int band, const Drawing& drawing, const PngOptions& options,
+                      const RunContext& context) {
   constexpr std::size_t kBetweenPolls = 256;
   const bool colors = pixels_of(drawing, options) == Pixels::Colors;
   const int top = band * grid.rows;
@@ -258,8 +258,8 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
         bands.size(), 1,
         [&](std::size_t k, std::size_t) {
           const int band = begin + static_cast<int>(k);
-          bands[k] = painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing,
-                             png, context);
+          bands[k] = painted_sheet(shapes, chosen[static_cast<std::size_t>(band)], grid, band,
+                                   drawing, png, context);
         },
         &context);
     for (const Surface& band : bands) {

@@ -7,11 +7,16 @@
 
 #include <cairo.h>
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace burin {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+/// Shapes between two looks at whether the run is cancelled; a few ms of work.
+constexpr std::size_t kAtOnce = 2048;
 
 /// Paper mm: a curve that is a line within this distance is written as one; far below what shows.
 inline constexpr double kStraight = 0.0005;

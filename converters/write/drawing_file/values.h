@@ -1,6 +1,7 @@
 #pragma once
 // The parts of a drawing file that are read by themselves. All throw InputError with the place.
 
+#include <burin/camera/sheet.h>
 #include <burin/drawing/drawing.h>
 
 #include "json_place.h"
@@ -24,8 +25,5 @@ void read_dashes(const JsonPlace& place, std::vector<double>& out);
 void check_version(const JsonPlace& place);
 /// Everything but the layers.
 void read_head(const JsonPlace& root, Drawing& drawing);
-
-/// mm of a side of a sheet, and of all that is measured on it.
-constexpr double kLargestSheet = 10000;
 
 }  // namespace burin

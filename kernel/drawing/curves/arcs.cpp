@@ -1,5 +1,6 @@
 #include <burin/drawing/arcs.h>
 
+#include "schneider.h"
 #include "turned.h"
 
 #include <Eigen/Dense>
@@ -14,14 +15,13 @@ namespace {
 constexpr double kWhole = 2 * std::numbers::pi;
 constexpr double kLongestRadius = 2000;  // paper mm: what is longer is straight on any sheet
 constexpr double kFlattest = 0.01;       // short half axis over long one: beyond it nearly a line
-constexpr double kCornerCosine = 0.8660254037844386;            // 30 degrees, as in fit_cubics
 constexpr std::size_t kLeastOfCircle = 3, kLeastOfEllipse = 6;  // segments: one more than decide it
 // Radians that a line turns: less tells little of the axes of an ellipse, and where it ends between
 // corners something else goes on.
 constexpr double kLeastTurnOfEllipse = 0.5, kLeastTurnOfPart = 1.2;
 
 /// What makes a circle of an ellipse: stretching it across its long axis.
-struct Stretch {
+struct AxisStretch {
   Vec2 along{1, 0};
   double ratio = 1;
 
@@ -75,7 +75,7 @@ std::optional<Circle> circle_through_ends(const std::vector<Vec2>& q) {
 
 /// Which ellipse the points lie on, but for its place and size: numerically stable direct least
 /// squares.
-std::optional<Stretch> stretch_of(std::span<const Vec2> points) {
+std::optional<AxisStretch> stretch_of(std::span<const Vec2> points) {
   Vec2 middle(0);
   for (const Vec2& p : points) middle += p;
   middle /= static_cast<double>(points.size());
@@ -104,7 +104,7 @@ std::optional<Stretch> stretch_of(std::span<const Vec2> points) {
     const double ratio = std::sqrt(axes.eigenvalues()(0) / axes.eigenvalues()(1));
     if (!(ratio >= kFlattest && ratio <= 1)) return std::nullopt;
     const Eigen::Vector2d along = axes.eigenvectors().col(0);
-    return Stretch{{along.x(), along.y()}, ratio};
+    return AxisStretch{{along.x(), along.y()}, ratio};
   }
   return std::nullopt;
 }
@@ -200,7 +200,7 @@ class Fitter {
   /// off.
   bool leaves(const ConicArc& arc, std::size_t end, std::size_t of_run) const {
     constexpr double kAtOnce = 3;
-    const Stretch stretch{arc.major / arc.radius(), arc.ratio};
+    const AxisStretch stretch{arc.major / arc.radius(), arc.ratio};
     for (std::size_t i = end; i != of_run;) {
       of_run > end ? ++i : --i;
       // Ends that were joined may be two points.
@@ -248,7 +248,7 @@ class Fitter {
     return fitted(s, *stretch, whole);
   }
 
-  std::optional<ConicArc> fitted(std::span<const Vec2> s, const Stretch& stretch,
+  std::optional<ConicArc> fitted(std::span<const Vec2> s, const AxisStretch& stretch,
                                  bool whole) const {
     if (!whole && glm::distance(s.front(), s.back()) <= options_.points) return std::nullopt;
     std::vector<Vec2> q;
@@ -301,7 +301,7 @@ class Fitter {
 
 /// A closed polyline (its first point not repeated) begun where an arc may end: at its sharpest
 /// corner or the end of its longest segment; the first point is repeated at the end.
-std::vector<Vec2> opened(const std::vector<Vec2>& p) {
+std::vector<Vec2> opened_ring(const std::vector<Vec2>& p) {
   const std::size_t n = p.size();
   std::size_t sharpest = 0, longest = 0;
   double least = kCornerCosine, most = 0;
@@ -344,7 +344,7 @@ std::vector<CurvePiece> fit_arcs(std::span<const Vec2> points, bool closed,
   }
   if (closed) {
     p.pop_back();
-    p = opened(p);
+    p = opened_ring(p);
   }
   return Fitter(std::move(p), options).run();
 }

@@ -8,13 +8,9 @@
 namespace burin {
 namespace {
 
-/// Cosine of 30 degrees: a sharper turn is a corner that the eye should see.
-constexpr double kCornerCosine = 0.8660254037844386;
 /// A segment so much longer than its neighbours, after simplification, is no sample of a curve but
 /// a straight run.
 constexpr double kStraightRatio = 4;
-/// The share of the tolerance spent on leaving points out; the fit has the rest.
-constexpr double kSimplifyShare = 0.25;
 /// Points nearer than this share of the tolerance are one.
 constexpr double kRepeatShare = 0.01;
 

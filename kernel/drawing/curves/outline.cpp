@@ -9,7 +9,6 @@
 namespace burin {
 namespace {
 
-constexpr double kCornerCosine = 0.8660254037844386;  // 30 degrees
 /// Radians that a stretch curling tighter than half the width may turn before it is cut: its inner
 /// side folds back, and by the nonzero rule a fold stays filled up to half a turn.
 constexpr double kMaxTightTurn = 1.0;
@@ -20,8 +19,6 @@ constexpr double kCapHandle = 4.0 / 3.0;
 /// Depth of the nose at a stroke's end as a share of half its width. The nose ends where the line
 /// does: ink must not pass the crease that a stroke stops at.
 constexpr double kNose = 0.8;
-/// The share of the tolerance spent on leaving out points of the centre line.
-constexpr double kSimplifyShare = 0.25;
 
 /// The centre line with z = half width.
 using Centre = std::vector<Vec3>;

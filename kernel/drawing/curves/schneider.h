@@ -8,6 +8,11 @@
 
 namespace burin {
 
+/// Cosine of 30 degrees: a sharper turn is a corner that the eye should see.
+constexpr double kCornerCosine = 0.8660254037844386;
+/// The share of the tolerance spent on leaving points out; the fit has the rest.
+constexpr double kSimplifyShare = 0.25;
+
 /// The unit direction from a to b, which differ.
 Vec2 direction(Vec2 a, Vec2 b);
 

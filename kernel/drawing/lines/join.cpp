@@ -19,9 +19,9 @@ constexpr double kSamePen = 0.0005;
 // One end of a path: its number times two, plus one for the last point.
 using End = std::size_t;
 
-class Joiner {
+class PieceJoiner {
  public:
-  explicit Joiner(std::span<const Path* const> paths)
+  explicit PieceJoiner(std::span<const Path* const> paths)
       : paths_(paths), partner_(2 * paths.size()), state_(paths.size(), State::New) {}
 
   JoinedPaths run(const std::function<bool(const Path&)>& wanted) {
@@ -149,7 +149,7 @@ class Joiner {
 
 JoinedPaths join_rings(std::span<const Path* const> paths,
                        const std::function<bool(const Path& ring)>& wanted) {
-  return Joiner(paths).run(wanted);
+  return PieceJoiner(paths).run(wanted);
 }
 
 }  // namespace burin

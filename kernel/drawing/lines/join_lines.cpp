@@ -20,15 +20,15 @@ constexpr double kSameEnd = 0.02;
 /// Share of a line's length in the model within which its end is that of another.
 constexpr double kSamePlace = 1e-3;
 /// Cosines of the angles up to which a straight line is one, and a dashed one has no corner.
-constexpr double kStraight = 0.99999, kSmooth = 0.94;
+constexpr double kStraightCosine = 0.99999, kSmoothCosine = 0.94;
 
 /// One end of a path: its number times two, plus one for the last point.
 using End = std::size_t;
 
 /// The open lines of a layer that may be joined with each other.
-class Joiner {
+class LineJoiner {
  public:
-  explicit Joiner(std::vector<Path*> lines)
+  explicit LineJoiner(std::vector<Path*> lines)
       : lines_(std::move(lines)), partner_(2 * lines_.size()) {}
 
   /// Joins them; of those that went into others no points are left.
@@ -69,8 +69,8 @@ class Joiner {
       if (glm::distance(place3(a), place3(b)) > kSamePlace * size) return false;
     }
     const double along = -glm::dot(way(a), way(b));
-    if (p.points.size() == 2 && q.points.size() == 2) return along >= kStraight;
-    return !p.visible && !p.in_full && along >= kSmooth;
+    if (p.points.size() == 2 && q.points.size() == 2) return along >= kStraightCosine;
+    return !p.visible && !p.in_full && along >= kSmoothCosine;
   }
 
   void find_partners() {
@@ -154,7 +154,7 @@ class Joiner {
     for (std::size_t i = path.points.size() - 1; i-- > 1;) {
       const Vec2 in = path.points[i] - path.points[i - 1],
                  out = path.points[i + 1] - path.points[i];
-      if (glm::dot(in, out) < kStraight * glm::length(in) * glm::length(out)) continue;
+      if (glm::dot(in, out) < kStraightCosine * glm::length(in) * glm::length(out)) continue;
       if (!path.faces.empty()) continue;
       const auto at = static_cast<std::ptrdiff_t>(i);
       const auto drop = [&](auto& values, std::size_t points) {
@@ -190,7 +190,7 @@ void join_lines(std::vector<Layer>& layers, const RunContext& context) {
       alike[{path.source.part, path.visible, path.in_full, std::llround(1000 * mean_width(path))}]
           .push_back(&path);
     }
-    for (auto& [key, lines] : alike) Joiner(std::move(lines)).run();
+    for (auto& [key, lines] : alike) LineJoiner(std::move(lines)).run();
     std::erase_if(layer.paths, [](const Path& path) { return path.points.empty(); });
   }
 }

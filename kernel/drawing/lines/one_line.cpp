@@ -25,7 +25,7 @@ constexpr double kFarAlong = 0.2;
 constexpr std::size_t kItself = std::numeric_limits<std::size_t>::max();
 
 /// A stretch along a path, from index and share of a segment to another, and whose line it is on.
-struct Stretch {
+struct LineStretch {
   double begin = 0, end = 0;
   std::size_t owner = 0;
 };
@@ -59,13 +59,13 @@ class Sheet {
   void add(const Path& path, std::size_t layer, std::size_t number) {
     context_.check();
     const OpenedPath open(path);
-    const std::vector<Stretch> on = stretches_on_others(open);
+    const std::vector<LineStretch> on = stretches_on_others(open);
     if (on.empty()) return place(path, layer, number);
     const auto last = static_cast<double>(open.points().size() - 1);
     // What is left at both ends of a closed line is one piece.
     const bool round = path.closed && on.front().begin > 0 && on.back().end < last;
     double from = 0;
-    for (const Stretch& one : on) {
+    for (const LineStretch& one : on) {
       const bool first = from == 0 && round;
       if (one.begin > from && !first) place(open.piece(from, one.begin), layer, number);
       from = one.end;
@@ -86,8 +86,8 @@ class Sheet {
 
   /// Stretches of a path that lie on lines that are there, in order, without those too short to
   /// count; their owners are told what they stand for.
-  std::vector<Stretch> stretches_on_others(const OpenedPath& open) {
-    std::vector<Stretch> found;
+  std::vector<LineStretch> stretches_on_others(const OpenedPath& open) {
+    std::vector<LineStretch> found;
     const auto& points = open.points();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       grid_.along(points[i], points[i + 1], [&](double begin, double end, std::size_t owner) {
@@ -97,16 +97,16 @@ class Sheet {
     }
     add_stretches_on_itself(open, found);
     if (found.empty()) return {};
-    std::ranges::sort(found, [](const Stretch& a, const Stretch& b) {
+    std::ranges::sort(found, [](const LineStretch& a, const LineStretch& b) {
       return std::tie(a.begin, a.end, a.owner) < std::tie(b.begin, b.end, b.owner);
     });
-    std::vector<Stretch> on = without_specks(united(found), open);
+    std::vector<LineStretch> on = without_specks(united(found), open);
     note_owners(found, on, open);
     return on;
   }
 
   /// A contour may come back beside itself, as a circle does that is seen from its side.
-  static void add_stretches_on_itself(const OpenedPath& open, std::vector<Stretch>& found) {
+  static void add_stretches_on_itself(const OpenedPath& open, std::vector<LineStretch>& found) {
     const auto& points = open.points();
     const double whole = open.length(0, static_cast<double>(points.size() - 1));
     if (whole < 2 * kFarAlong) return;
@@ -131,9 +131,9 @@ class Sheet {
     }
   }
 
-  static std::vector<Stretch> united(const std::vector<Stretch>& found) {
-    std::vector<Stretch> out;
-    for (const Stretch& one : found) {
+  static std::vector<LineStretch> united(const std::vector<LineStretch>& found) {
+    std::vector<LineStretch> out;
+    for (const LineStretch& one : found) {
       if (!out.empty() && one.begin <= out.back().end) {
         out.back().end = std::max(out.back().end, one.end);
       } else {
@@ -143,10 +143,10 @@ class Sheet {
     return out;
   }
 
-  static std::vector<Stretch> without_specks(const std::vector<Stretch>& runs,
-                                             const OpenedPath& open) {
-    std::vector<Stretch> out;
-    for (const Stretch& run : runs) {
+  static std::vector<LineStretch> without_specks(const std::vector<LineStretch>& runs,
+                                                 const OpenedPath& open) {
+    std::vector<LineStretch> out;
+    for (const LineStretch& run : runs) {
       if (!out.empty() && open.length(out.back().end, run.begin) < kSpeck) {
         out.back().end = run.end;
       } else {
@@ -154,7 +154,7 @@ class Sheet {
       }
     }
     const auto last = static_cast<double>(open.points().size() - 1);
-    const auto is_short = [&](const Stretch& run) {
+    const auto is_short = [&](const LineStretch& run) {
       const bool all = open.length(0, run.begin) < kSpeck && open.length(run.end, last) < kSpeck;
       return !all && open.length(run.begin, run.end) < kLeastOn;
     };
@@ -166,12 +166,12 @@ class Sheet {
     return out;
   }
 
-  void note_owners(const std::vector<Stretch>& found, const std::vector<Stretch>& on,
+  void note_owners(const std::vector<LineStretch>& found, const std::vector<LineStretch>& on,
                    const OpenedPath& open) {
     std::map<std::size_t, double> lengths;
-    for (const Stretch& one : found) {
+    for (const LineStretch& one : found) {
       if (one.owner == kItself) continue;
-      for (const Stretch& run : on) {
+      for (const LineStretch& run : on) {
         const double begin = std::max(one.begin, run.begin), end = std::min(one.end, run.end);
         if (begin < end) lengths[one.owner] += open.length(begin, end);
       }

@@ -11,20 +11,20 @@ namespace burin {
 namespace {
 
 // Ends that are looked at around each end; where more meet, some of them stay ends.
-constexpr std::size_t kMostNear = 8;
+constexpr std::size_t kMostNearEnds = 8;
 
 // One end of a line: its number times two, plus one for the last point.
-using End = std::uint32_t;
-constexpr End kFree = static_cast<End>(-1);
+using PenEnd = std::uint32_t;
+constexpr PenEnd kFree = static_cast<PenEnd>(-1);
 
 struct Pair {
   double turn = 0;  // 0: straight on; 2: back
-  End a = 0, b = 0;
+  PenEnd a = 0, b = 0;
 };
 
-class Joiner {
+class PenJoiner {
  public:
-  Joiner(std::span<const PenPath> paths, double tolerance, const RunContext& context)
+  PenJoiner(std::span<const PenPath> paths, double tolerance, const RunContext& context)
       : paths_(paths),
         tolerance_(tolerance),
         context_(context),
@@ -34,7 +34,7 @@ class Joiner {
   PenOrder run() {
     pair_ends();
     // Lines with a free end first: what is left then is rings.
-    for (End end = 0; end < partner_.size(); ++end) {
+    for (PenEnd end = 0; end < partner_.size(); ++end) {
       if (partner_[end] == kFree && !done_[end / 2]) follow(end);
     }
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
@@ -55,12 +55,12 @@ class Joiner {
   bool joins(const PenPath& path) const {
     return !path.closed && path.mark >= 0 && path.points.size() > 1;
   }
-  Vec2 place(End end) const {
+  Vec2 place(PenEnd end) const {
     const auto points = paths_[end / 2].points;
     return end % 2 == 0 ? points.front() : points.back();
   }
   // The unit direction in which the line leaves its end, inwards.
-  Vec2 inwards(End end) const {
+  Vec2 inwards(PenEnd end) const {
     const auto points = paths_[end / 2].points;
     const std::size_t n = points.size();
     const auto point = [&](std::size_t k) { return points[end % 2 == 0 ? k : n - 1 - k]; };
@@ -73,11 +73,11 @@ class Joiner {
 
   void pair_ends() {
     std::vector<Vec2> places;
-    std::vector<End> ends;
+    std::vector<PenEnd> ends;
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
       context_.check();
       if (!joins(paths_[i])) continue;
-      for (const End end : {2 * i, 2 * i + 1}) {
+      for (const PenEnd end : {2 * i, 2 * i + 1}) {
         places.push_back(place(end));
         ends.push_back(end);
       }
@@ -108,12 +108,12 @@ class Joiner {
     }
   }
 
-  void add_pairs(const PointTree& tree, const std::vector<End>& ends, std::size_t k,
+  void add_pairs(const PointTree& tree, const std::vector<PenEnd>& ends, std::size_t k,
                  std::vector<Pair>& pairs) const {
-    const End end = ends[k];
+    const PenEnd end = ends[k];
     const PenPath& path = paths_[end / 2];
-    for (const PointTree::Near& near : tree.near(tree.points()[k], kMostNear + 1, tolerance_)) {
-      const End other = ends[near.point];
+    for (const PointTree::Near& near : tree.near(tree.points()[k], kMostNearEnds + 1, tolerance_)) {
+      const PenEnd other = ends[near.point];
       const PenPath& its = paths_[other / 2];
       if (other == end || its.group != path.group || its.mark != path.mark) continue;
       // A line that is all within the tolerance does not close.
@@ -124,15 +124,15 @@ class Joiner {
   }
 
   // A line from one of its ends on.
-  void follow(End first) {
+  void follow(PenEnd first) {
     PenLine line{paths_[first / 2].group, static_cast<std::uint32_t>(out_.runs.size()), 0,
                  paths_[first / 2].closed, 0};
     std::size_t points = 0;
-    for (End end = first;;) {
+    for (PenEnd end = first;;) {
       done_[end / 2] = true;
       out_.runs.push_back({end / 2, end % 2 == 1});
       points += paths_[end / 2].points.size() - 1;
-      const End next = partner_[end ^ 1U];
+      const PenEnd next = partner_[end ^ 1U];
       if (next == kFree) break;
       if (next == first) {
         // There and back is no ring.
@@ -149,7 +149,7 @@ class Joiner {
   std::span<const PenPath> paths_;
   double tolerance_;
   const RunContext& context_;
-  std::vector<End> partner_;
+  std::vector<PenEnd> partner_;
   std::vector<bool> done_;
   PenOrder out_;
 };
@@ -157,7 +157,7 @@ class Joiner {
 }  // namespace
 
 PenOrder join_lines(std::span<const PenPath> paths, double tolerance, const RunContext& context) {
-  return Joiner(paths, tolerance, context).run();
+  return PenJoiner(paths, tolerance, context).run();
 }
 
 }  // namespace burin

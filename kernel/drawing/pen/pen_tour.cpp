@@ -16,9 +16,9 @@ namespace {
 // Points of a ring at which it is first thought to begin.
 constexpr std::size_t kRingPoints = 16;
 // Ends that are looked at around each end.
-constexpr std::size_t kMostNear = 8;
+constexpr std::size_t kMostNearPaths = 8;
 // With its own, which are of no use.
-constexpr std::size_t kAsked = kMostNear + 2;
+constexpr std::size_t kAsked = kMostNearPaths + 2;
 // Lines that are moved at once.
 constexpr std::int64_t kMostMoved = 3;
 // Lines that a change may turn round or shift; and, for each line, in all changes.

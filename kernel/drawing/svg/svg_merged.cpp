@@ -25,7 +25,7 @@ constexpr std::size_t kMostElements = 30'000;
 constexpr std::size_t kMostPoints = 10'000;
 
 /// The ink of a path, or of a stretch of it; the tags before it. The last item has no ink.
-struct Item {
+struct MergedItem {
   std::string before;
   Ink ink;
   bool close = false;
@@ -35,10 +35,10 @@ struct Item {
 };
 
 /// By colour, which is empty where it is that of the layer, and width.
-using Pens = std::map<std::pair<std::string, double>, std::vector<Item>>;
+using Pens = std::map<std::pair<std::string, double>, std::vector<MergedItem>>;
 
-Item item_of(const Path& path, const SvgOptions& options) {
-  Item item{{}, ink_of(path, curve_tolerance(options)), false, path.points.front(), 0, 1};
+MergedItem item_of(const Path& path, const SvgOptions& options) {
+  MergedItem item{{}, ink_of(path, curve_tolerance(options)), false, path.points.front(), 0, 1};
   item.close = item.ink.filled || path.closed;
   item.cost = path.points.size();
   for (const auto& chain : item.ink.chains) item.elements += path_elements(chain, item.close);
@@ -59,9 +59,9 @@ Path stretch(const Path& path, std::size_t begin, std::size_t end) {
 
 /// A path as items that no reader cuts short: one, unless it has too many elements by itself. Areas
 /// overlap by a segment where they are parted, so that their noses do not show.
-void append_items(const Path& path, const SvgOptions& options, std::vector<Item>& items) {
+void append_items(const Path& path, const SvgOptions& options, std::vector<MergedItem>& items) {
   if (path.points.size() <= kMostPoints) {
-    Item whole = item_of(path, options);
+    MergedItem whole = item_of(path, options);
     if (whole.elements <= kMostElements || path.points.size() < 4) {
       items.push_back(std::move(whole));
       return;
@@ -93,14 +93,14 @@ JoinedPaths lines_of(const InkLayer& layer, const SvgOptions& options, Vec2& pen
 /// less than what is written are one.
 Pens by_pen(std::span<const Path* const> paths, const SvgOptions& options,
             const RunContext& context) {
-  std::vector<std::vector<Item>> items(paths.size());
+  std::vector<std::vector<MergedItem>> items(paths.size());
   parallel_for(items.size(), 64, [&](std::size_t begin, std::size_t end) {
     context.check();
     for (std::size_t i = begin; i < end; ++i) append_items(*paths[i], options, items[i]);
   });
   Pens pens;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    for (Item& item : items[i]) {
+    for (MergedItem& item : items[i]) {
       const double width = item.ink.filled ? 0 : std::round(item.ink.width * 1e3) * 1e-3;
       pens[{paths[i]->color, width}].push_back(std::move(item));
     }
@@ -125,14 +125,14 @@ std::string pen_tag(const std::string& color, double width, std::string_view ink
 
 /// Paths of one pen, parted before they have too many elements; several of them in a group, for
 /// programs that are slow where an element has many others beside it.
-void append_pen_items(const std::string& tag, std::vector<Item>& of_pen, std::string& before,
-                      std::vector<Item>& items) {
+void append_pen_items(const std::string& tag, std::vector<MergedItem>& of_pen, std::string& before,
+                      std::vector<MergedItem>& items) {
   std::size_t all = 0, here = 0;
-  for (const Item& item : of_pen) all += item.elements;
+  for (const MergedItem& item : of_pen) all += item.elements;
   const bool several = all > kMostElements;
   if (several) before += "<g>\n";
   before += tag;
-  for (Item& item : of_pen) {
+  for (MergedItem& item : of_pen) {
     if (here + item.elements > kMostElements && here > 0) {
       before += "\"/>\n" + tag;
       here = 0;
@@ -144,7 +144,7 @@ void append_pen_items(const std::string& tag, std::vector<Item>& of_pen, std::st
   before = several ? "\"/>\n</g>\n" : "\"/>\n";
 }
 
-void append_subpath(Buffer& out, const Item& item, double paper_height) {
+void append_subpath(Buffer& out, const MergedItem& item, double paper_height) {
   SvgPen pen(out, paper_height);
   for (const auto& chain : item.ink.chains) pen.chain(chain, item.close);
   if (item.ink.chains.front().empty()) pen.dot(item.first);
@@ -200,7 +200,7 @@ std::string areas_group(const Drawing& drawing, SvgIds& ids) {
 
 void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                       const RunContext& context) {
-  std::vector<Item> items;
+  std::vector<MergedItem> items;
   SvgIds ids(options.id_prefix);
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::string before = svg_head(drawing, ink_box(drawing, layers));

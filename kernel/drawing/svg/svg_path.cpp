@@ -8,13 +8,13 @@ namespace {
 constexpr int kDecimals = 3;
 constexpr double kGrid = 1000;
 /// mm that a curve may leave its chord and still be written as a line.
-constexpr double kStraight = 0.001;
+constexpr double kStraightCubic = 0.001;
 
 }  // namespace
 
 std::size_t path_elements(std::span<const CubicBezier> curves, bool close) {
   std::size_t count = close ? 2 : 1;
-  for (const CubicBezier& c : curves) count += is_straight(c, kStraight) ? 1 : 3;
+  for (const CubicBezier& c : curves) count += is_straight(c, kStraightCubic) ? 1 : 3;
   return count;
 }
 
@@ -63,7 +63,7 @@ void SvgPen::chain(std::span<const CubicBezier> curves, bool close) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const CubicBezier& c = curves[i];
     const Place to = place(c[3]);
-    if (is_straight(c, kStraight)) {
+    if (is_straight(c, kStraightCubic)) {
       // The last line of a closed chain is what z draws.
       const bool by_close = close && i + 1 == curves.size() && i > 0;
       if (!by_close && (to.x != at_.x || to.y != at_.y)) line(to);

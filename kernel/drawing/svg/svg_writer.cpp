@@ -45,7 +45,7 @@ void append_own_pen(Buffer& out, bool filled, double width, bool group_filled, s
 }
 
 /// One path with the tags that come before it.
-struct Item {
+struct SvgItem {
   std::string before;
   const Path* path = nullptr;
   /// Of a closed outline: what it was made of.
@@ -97,7 +97,7 @@ class Items {
     items_.push_back({before_ + "</svg>\n"});
   }
 
-  const std::vector<Item>& all() const { return items_; }
+  const std::vector<SvgItem>& all() const { return items_; }
 
  private:
   /// What is laid over the drawing about an item.
@@ -282,7 +282,7 @@ class Items {
   std::list<std::vector<double>> layer_dashes_;
   const std::vector<double>* dashes_ = nullptr;
   std::string before_;
-  std::vector<Item> items_;
+  std::vector<SvgItem> items_;
   std::list<std::deque<Path>> kept_;
   std::map<std::int32_t, Named> named_;
   std::map<std::int32_t, const DrawingItem*> items_of_;
@@ -300,7 +300,7 @@ std::string list_of(const std::vector<const Path*>& pieces, std::int32_t SourceI
 }
 
 /// Lines that the path, or what it is joined of, stands for: "part/face/edge ...", each once.
-void append_also(Buffer& out, const Item& item) {
+void append_svg_also(Buffer& out, const SvgItem& item) {
   std::string text;
   std::set<SourceId> known;
   const auto add = [&](const Path& path) {
@@ -315,14 +315,14 @@ void append_also(Buffer& out, const Item& item) {
   if (!text.empty()) fmt::format_to(fmt::appender(out), " data-also=\"{}\"", text);
 }
 
-void append_source(Buffer& out, const Item& item) {
+void append_source(Buffer& out, const SvgItem& item) {
   const Path& p = *item.path;
   const char* kind = to_string(p.kind);
   fmt::format_to(
       fmt::appender(out),
       " class=\"{}\" data-part=\"{}\" data-face=\"{}\" data-edge=\"{}\" data-kind=\"{}\"", kind,
       p.source.part, p.source.face, p.source.edge, kind);
-  append_also(out, item);
+  append_svg_also(out, item);
   if (item.pieces.size() < 2) return;
   const std::string faces = list_of(item.pieces, &SourceId::face);
   const std::string edges = list_of(item.pieces, &SourceId::edge);
@@ -331,11 +331,11 @@ void append_source(Buffer& out, const Item& item) {
 }
 
 /// Dashes that begin and end with the line.
-void append_own_dashes(Buffer& out, const Item& item) {
+void append_own_dashes(Buffer& out, const SvgItem& item) {
   if (item.dashes) append_dashes(out, fitted_dashes(*item.dashes, *item.path));
 }
 
-void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
+void append_polyline(Buffer& out, SvgPen& pen, const SvgItem& item, double tolerance) {
   const Path& p = *item.path;
   std::vector<Vec2> all = p.points;
   if (p.closed) all.push_back(all.front());
@@ -350,7 +350,8 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double toleranc
   append(out, "\"/>\n");
 }
 
-void append_path(Buffer& out, const Item& item, double paper_height, const SvgOptions& options) {
+void append_svg_path(Buffer& out, const SvgItem& item, double paper_height,
+                     const SvgOptions& options) {
   SvgPen pen(out, paper_height);
   const Path& p = *item.path;
   if (options.flatten) return append_polyline(out, pen, item, options.fit_tolerance);
@@ -371,12 +372,12 @@ void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& 
                const RunContext& context) {
   if (options.merge) return write_merged_svg(drawing, options, out, context);
   const Items made(drawing, options, context);
-  const std::vector<Item>& items = made.all();
+  const std::vector<SvgItem>& items = made.all();
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, options);
+        if (items[i].path) append_svg_path(buffer, items[i], drawing.paper_height, options);
       },
       out, context);
 }

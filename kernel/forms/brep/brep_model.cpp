@@ -35,19 +35,19 @@ namespace {
 /// Tolerances of which the triangles are kept: a sheet with several views asks for some.
 constexpr std::size_t kKept = 4;
 
-struct Tessellation {
-  double tolerance = 0;
-  std::shared_ptr<const BrepTriangles> mesh;
-  /// Faces without triangles, and with some of them.
-  std::vector<std::int32_t> unmeshed, in_part;
-  std::vector<std::uint8_t> loose;
-  std::string reason;
-  bool complete = true;  // within the tolerance, not ended by triangle_bound
-};
-
 }  // namespace
 
 struct BrepModel::Impl {
+  struct Tessellation {
+    double tolerance = 0;
+    std::shared_ptr<const BrepTriangles> mesh;
+    /// Faces without triangles, and with some of them.
+    std::vector<std::int32_t> unmeshed, in_part;
+    std::vector<std::uint8_t> loose;
+    std::string reason;
+    bool complete = true;  // within the tolerance, not ended by triangle_bound
+  };
+
   ModelParts parts;
   std::vector<std::int32_t> face_body;
   ShapeBounds bounds;
@@ -124,7 +124,8 @@ LooseTriangles triangles_apart(const ModelParts& parts, std::vector<std::int32_t
   return loose;
 }
 
-Tessellation BrepModel::Impl::make(double tolerance, const Atlas& atlas, RunContext& context) {
+BrepModel::Impl::Tessellation BrepModel::Impl::make(double tolerance, const Atlas& atlas,
+                                                    RunContext& context) {
   Tessellation made;
   made.tolerance = tolerance;
   made.in_part = mesh_shape(parts, tolerance, context);
@@ -189,8 +190,9 @@ bool BrepModel::Impl::turn_outward(const RawMesh& raw) {
   return std::ranges::find(turned, 1) != turned.end();
 }
 
-const Tessellation& BrepModel::Impl::tessellate(double tolerance, const Atlas& atlas,
-                                                RunContext& context) {
+const BrepModel::Impl::Tessellation& BrepModel::Impl::tessellate(double tolerance,
+                                                                 const Atlas& atlas,
+                                                                 RunContext& context) {
   for (const Tessellation& t : kept) {
     if (t.tolerance == tolerance) return t;
   }
@@ -206,7 +208,7 @@ std::shared_ptr<const BrepTriangles> BrepModel::tessellate(double tolerance, Run
     context.check();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  const Tessellation& t = impl_->tessellate(tolerance, *this, context);
+  const Impl::Tessellation& t = impl_->tessellate(tolerance, *this, context);
   if (t.mesh->triangles.empty() && t.mesh->loose.empty()) {
     throw GeometryError("none of the faces could be turned into triangles; repair the shape");
   }

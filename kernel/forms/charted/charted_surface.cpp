@@ -15,7 +15,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kPointGrain = 2048;
 
 class ChartedSurface final : public Surface {
  public:
@@ -148,7 +148,7 @@ std::vector<Frame> ChartedSurface::wedge_frames(const RunContext& context) const
   const std::vector<WedgeCorner> corners = wedge_corners();
   std::vector<Frame> frames(corners.size());
   parallel_for(
-      corners.size(), kGrain,
+      corners.size(), kPointGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           if (corners[i].corner != kNoHalfEdge) frames[i] = corner_frame(corners[i].corner);

@@ -17,7 +17,7 @@ struct BoundExceeded {
   double area;
 };
 
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kCoverageGrain = 256;
 constexpr double kLeastDensity = 0.01, kLargestDisc = 4;
 
 /// Draws candidates in order, many at a time, and hands on those that Algorithm 1 keeps.
@@ -34,7 +34,7 @@ class Draw {
   void go_on(std::size_t block, Take take) {
     results_.resize(block);
     parallel_for(
-        block, kGrain,
+        block, kCoverageGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t k = begin; k < end; ++k) {
             results_[k] = candidates_.draw(drawn_ + k, bound_, stream_);
@@ -189,16 +189,16 @@ class Cover {
   }
 
   double farthest(const DartGrid& grid, const std::vector<CoveragePoint>& places) const {
-    std::vector<double> far((places.size() + kGrain - 1) / kGrain, 0.0);
+    std::vector<double> far((places.size() + kCoverageGrain - 1) / kCoverageGrain, 0.0);
     parallel_for(
-        places.size(), kGrain,
+        places.size(), kCoverageGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t k = begin; k < end; ++k) {
             const Spot here = spot(options_, places[k]);
             const double d = grid.nearest(here.key, [&](std::int32_t i) {
               return spots_[static_cast<std::size_t>(i)].front == here.front;
             });
-            far[begin / kGrain] = std::max(far[begin / kGrain], d);
+            far[begin / kCoverageGrain] = std::max(far[begin / kCoverageGrain], d);
           }
         },
         &context_);

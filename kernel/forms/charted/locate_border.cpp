@@ -12,7 +12,7 @@ namespace {
 
 // Curve evaluations at the most to find the point of a curve beside a point of its chord; two or
 // three do where the parameter runs evenly.
-constexpr int kMaxIterations = 20;
+constexpr int kBorderIterations = 20;
 // Share of a chord to which the point beside is found.
 constexpr double kShareError = 1e-12;
 // The bulge is sampled at these shares; between them it can be larger, by a third on an arc.
@@ -60,7 +60,7 @@ BorderPlace UvTriangles::beside(HalfEdge h, Vec2 uv) const {
   const ChartMesh::Border& b = border(h);
   const double wanted = std::clamp(share(h, uv), 0.0, 1.0), span = b.t1 - b.t0;
   BorderPlace result = place(h, b.t0 + wanted * span);
-  for (int i = 0; b.coedge >= 0 && i < kMaxIterations; ++i) {
+  for (int i = 0; b.coedge >= 0 && i < kBorderIterations; ++i) {
     const double gap = wanted - share(h, result.uv);
     if (std::abs(gap) < kShareError) break;
     const double next = std::clamp(result.share + gap, 0.0, 1.0);

@@ -9,14 +9,12 @@ namespace {
 // Shares of the part's size: what the steps of a long march and a march of one step may leave open
 // by their estimates, and the step below which the path is taken for singular.
 constexpr double kStepError = 3e-10, kShortError = 1e-9;
-constexpr double kShortest = 1e-11;
+constexpr double kShortestStep = 1e-11;
 // Steps of one march at the most, so that it ends whatever the surface is.
 constexpr int kMaxSteps = 20'000;
 // Share of a march that is stepped however near a border is ahead: a march along a border always
 // has it ahead, within rounding.
 constexpr double kAlongBorder = 0.05;
-// Border half-edges looked at round a vertex to find the one that a way leaves through.
-constexpr int kMaxHandOvers = 8;
 
 }  // namespace
 
@@ -60,10 +58,10 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
     const double scale = excess > 0 ? 0.9 / std::sqrt(std::sqrt(excess)) : 4;
     if (excess > 1) {
       trial = h * std::max(scale, 0.1);
-      if (trial < kShortest * size) return result(MarchStop::Singular);
+      if (trial < kShortestStep * size) return result(MarchStop::Singular);
       continue;
     }
-    trial = std::max(h * std::min(scale, 4.0), kShortest * size);
+    trial = std::max(h * std::min(scale, 4.0), kShortestStep * size);
     stop_at_line(to, h);
     if (const auto stop = advance(to, h)) return result(*stop);
     if (gone_ >= length_) return result(MarchStop::Completed);

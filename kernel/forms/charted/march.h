@@ -10,6 +10,11 @@
 
 namespace burin::detail {
 
+/// Border half-edges looked at round a vertex to find the one that a way leaves through.
+constexpr int kMaxHandOvers = 8;
+/// Steps of Newton's method that make the place of a crossing exact.
+constexpr int kMaxRefinements = 3;
+
 /// Created for one call of Surface::march; nothing in it allocates.
 class March {
  public:

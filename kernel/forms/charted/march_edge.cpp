@@ -10,7 +10,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr int kMaxRefinements = 3;
 // Crossings without progress after which a march is led along the edge, and after which it gives
 // up.
 constexpr int kStalled = 3;
@@ -18,7 +17,6 @@ constexpr int kMaxTurns = 100;
 // Share of a chord beyond its ends that still belongs to it, and neighbours looked at for what lies
 // farther on.
 constexpr double kBeyond = 1e-9;
-constexpr int kMaxHandOvers = 8;
 // Cosine of the largest angle between march and edge at which both faces may claim that it goes to
 // the other one, by rounding and the tolerance of the edge; a larger one is a fold.
 constexpr double kGrazing = 0.985;

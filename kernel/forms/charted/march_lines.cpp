@@ -11,8 +11,7 @@
 namespace burin::detail {
 namespace {
 
-constexpr int kMaxIterations = 60;
-constexpr int kMaxRefinements = 3;
+constexpr int kLineIterations = 60;
 
 // The share of a step at which a coordinate that begins at or below 0 and ends above it passes 0;
 // 0 where it never was below.
@@ -23,7 +22,7 @@ double passes_zero(const Function& f) {
     if (x < 1e-6) return 0;
     if (f(x) < 0) low = x;
   }
-  for (int i = 0; i < kMaxIterations && high - low > 1e-15; ++i) {
+  for (int i = 0; i < kLineIterations && high - low > 1e-15; ++i) {
     const double x = 0.5 * (low + high);
     (f(x) > 0 ? high : low) = x;
   }

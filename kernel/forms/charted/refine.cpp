@@ -15,12 +15,12 @@
 namespace burin {
 namespace {
 
-constexpr int kLevels = 12;          // an edge into 4096 pieces at the most
-constexpr std::size_t kGrain = 256;  // triangles
+constexpr int kLevels = 12;                // an edge into 4096 pieces at the most
+constexpr std::size_t kRefineGrain = 256;  // triangles
 // Levels after which edges shorter than this share of the tolerance are left alone: S is far from
 // them for other reasons than their length (it runs to and fro, or its tolerances are worse).
 constexpr int kFirstLevels = 6;
-constexpr double kShortest = 0.25;
+constexpr double kShortestEdge = 0.25;
 // From the middle of an edge, where it may be split at a break line.
 constexpr double kCentral = 0.25;
 // Halvings after which an edge that is still too far off is taken to cross a kink: most break
@@ -30,8 +30,6 @@ constexpr int kKinkLevel = 4;
 // and that none may: with their contours cut these took a gigabyte.
 constexpr double kLeastArea = 16;
 constexpr double kFewest = 100'000, kMost = 600'000;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// How far S is off: in full, and with deviations along the triangle or edge counted less, by
 /// which is split.
@@ -155,7 +153,7 @@ class Refiner {
 
   void measure(bool quarters) {
     parallel_for(
-        m_.triangles.size(), kGrain,
+        m_.triangles.size(), kRefineGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t f = begin; f < end; ++f) {
             for (std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
@@ -172,7 +170,7 @@ class Refiner {
 
   /// Whether shorter edges would come nearer to S.
   bool may_split(std::size_t h) const {
-    return level_ < kFirstLevels || length(h) > kShortest * options_.tolerance;
+    return level_ < kFirstLevels || length(h) > kShortestEdge * options_.tolerance;
   }
 
   std::size_t longest_edge(std::size_t f) const {

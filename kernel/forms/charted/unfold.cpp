@@ -12,8 +12,6 @@ constexpr int kPasses = 8;
 /// that none is undone.
 constexpr double kBend = 0.5, kBetter = 0.05;
 
-std::size_t at(HalfEdge h) { return static_cast<std::size_t>(h); }
-
 class Unfolder {
  public:
   Unfolder(RawMesh& raw, std::vector<HalfEdge>& opposite, const Atlas& atlas,

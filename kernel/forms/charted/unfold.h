@@ -6,9 +6,12 @@
 
 #include "break_lines.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace burin {
+
+inline std::size_t at(HalfEdge h) { return static_cast<std::size_t>(h); }
 
 /// Where the middle of a curved border moves over a thin triangle, or the mesher left a fold,
 /// triangles are turned in (u,v). Flips edges inside faces that make the smaller of two areas

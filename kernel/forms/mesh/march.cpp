@@ -23,12 +23,12 @@ struct Walk {
 };
 
 // A triangle laid out with the origin of half-edge h at (0,0) and its tip at (length,0).
-struct Layout {
+struct FlatTriangle {
   Vec3 u, along, across;  // unit axes of the triangle's plane, in space
   double length = 0;
   Vec2 apex{0};
 
-  Layout(const TriMesh& mesh, HalfEdge h) {
+  FlatTriangle(const TriMesh& mesh, HalfEdge h) {
     u = mesh.positions[origin(mesh, h)];
     const Vec3 e = mesh.positions[origin(mesh, next_in_face(h))] - u;
     const Vec3 a = mesh.positions[origin(mesh, prev_in_face(h))] - u;
@@ -68,7 +68,7 @@ Exit leave_through(HalfEdge edge, Vec2 from, Vec2 to, Vec2 p, Vec2 d) {
 }
 
 // The ray from a point ON the half-edge, pointing inwards: it leaves by one of the other two edges.
-Exit leave(const Layout& tri, const Walk& walk) {
+Exit leave(const FlatTriangle& tri, const Walk& walk) {
   const Vec2 p(walk.place, 0), d = walk.direction, v(tri.length, 0);
   const bool left = cross2(d, tri.apex - p) >= 0;  // the apex lies left of the ray
   const HalfEdge next = next_in_face(walk.edge), prev = prev_in_face(walk.edge);
@@ -80,7 +80,7 @@ Exit leave(const Layout& tri, const Walk& walk) {
 }
 
 // The ray from a point anywhere in the triangle with barycentric coordinates `b`.
-Exit leave_from_inside(HalfEdge first, const Layout& tri, Vec3 b, Vec2 p, Vec2 d) {
+Exit leave_from_inside(HalfEdge first, const FlatTriangle& tri, Vec3 b, Vec2 p, Vec2 d) {
   const Vec2 corner[3] = {Vec2(0), Vec2(tri.length, 0), tri.apex};
   Exit best;
   for (int k = 0; k < 3; ++k) {
@@ -93,7 +93,7 @@ Exit leave_from_inside(HalfEdge first, const Layout& tri, Vec3 b, Vec2 p, Vec2 d
   return best;
 }
 
-Vec3 barycentric(const Layout& tri, Vec2 p) {
+Vec3 barycentric(const FlatTriangle& tri, Vec2 p) {
   const double w = p.y / tri.apex.y, v = (p.x - w * tri.apex.x) / tri.length;
   Vec3 b = glm::max(Vec3(1 - v - w, v, w), Vec3(0));
   return b / (b.x + b.y + b.z);
@@ -108,7 +108,7 @@ MarchStep MeshSurface::march(const SurfacePoint& from, Vec3 tangent, double leng
   HalfEdge first = static_cast<HalfEdge>(3 * from.triangle);
   // The end in the triangle of half-edge `h`, whose corners are those of the layout in cyclic
   // order.
-  const auto finish = [&](HalfEdge h, const Layout& tri, Vec2 p, Vec2 d, MarchStop stop) {
+  const auto finish = [&](HalfEdge h, const FlatTriangle& tri, Vec2 p, Vec2 d, MarchStop stop) {
     const Vec3 b = barycentric(tri, p);
     Vec3 bary;
     for (int k = 0; k < 3; ++k) bary[(h + k) % 3] = b[k];
@@ -118,7 +118,7 @@ MarchStep MeshSurface::march(const SurfacePoint& from, Vec3 tangent, double leng
     return step;
   };
 
-  Layout tri(mesh, first);
+  FlatTriangle tri(mesh, first);
   Vec2 d(glm::dot(tangent, tri.along), glm::dot(tangent, tri.across));
   const double size = glm::length(d);
   // A tangent within 1e-9 radians of the normal has no direction in the plane.
@@ -157,7 +157,7 @@ MarchStep MeshSurface::march(const SurfacePoint& from, Vec3 tangent, double leng
     if (crossings >= kMaxCrossings || turns > kMaxTurns) {
       return finish(entered, tri, p, d, MarchStop::NotConverged);
     }
-    const Layout next(mesh, other);
+    const FlatTriangle next(mesh, other);
     if (next.degenerate()) return finish(entered, tri, p, d, MarchStop::Singular);
     // Unfolded over the edge, which the neighbour runs along the other way.
     tri = next;

@@ -24,7 +24,7 @@ constexpr int kMostPasses = 8;
 /// Times the tolerance from which on a bulge that is left is told: forms ask for half of what
 /// shows.
 constexpr double kTold = 2;
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kFacetGrain = 4096;
 /// Radians between a patch's normal and that which is linear over the facet: up to the first they
 /// are alike, from the second on not; less where facets bend little for their size.
 constexpr double kAlike = 0.035, kUnlike = 0.087;
@@ -34,14 +34,14 @@ constexpr double kAside = 0.5;
 constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
 
 /// A piece of a facet.
-struct Piece {
+struct FacetPiece {
   Triangle corners;
   std::uint32_t facet;
   std::array<Vec3, 3> bary;
   bool settled = false;  // all edges are fine enough
 };
 
-Piece whole(const ProxyMesh& coarse, std::uint32_t facet) {
+FacetPiece whole(const ProxyMesh& coarse, std::uint32_t facet) {
   return {coarse.mesh.triangles[facet], facet, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}};
 }
 
@@ -61,9 +61,9 @@ double most_bulge(const ProxyMesh& proxy, std::uint32_t f) {
 }
 
 /// The facets that may be too coarse; an edge of one that is, is that of two of them.
-std::vector<Piece> coarse_facets(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
-                                 double tolerance) {
-  std::vector<Piece> found;
+std::vector<FacetPiece> coarse_facets(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
+                                      double tolerance) {
+  std::vector<FacetPiece> found;
   for (std::uint32_t f = 0; f < coarse.mesh.triangles.size(); ++f) {
     if (!exact.empty() && exact[f] != 0) continue;
     if (most_bulge(coarse, f) > tolerance) found.push_back(whole(coarse, f));
@@ -73,8 +73,8 @@ std::vector<Piece> coarse_facets(const ProxyMesh& coarse, std::span<const std::u
 
 class Divider {
  public:
-  Divider(const ProxyMesh& coarse, std::vector<Piece> facets, std::span<const std::uint8_t> exact,
-          double tolerance, const RunContext& context)
+  Divider(const ProxyMesh& coarse, std::vector<FacetPiece> facets,
+          std::span<const std::uint8_t> exact, double tolerance, const RunContext& context)
       : coarse_(coarse),
         surface_(coarse, exact),
         tolerance_(tolerance),
@@ -104,7 +104,7 @@ class Divider {
 
   /// In the order of their facets.
   double tolerance() const { return tolerance_; }
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<FacetPiece>& pieces() const { return pieces_; }
   /// Those of the mesh, and the ones that were made.
   std::vector<Vec3> positions() const {
     std::vector<Vec3> out = coarse_.mesh.positions;
@@ -116,7 +116,7 @@ class Divider {
  private:
   /// The surface at a share of the k-th edge of a piece, from the lower vertex on; the same bits
   /// for both its triangles.
-  Vec3 at(const RoundedFacet& facet, const Piece& piece, std::size_t k, double share) const {
+  Vec3 at(const RoundedFacet& facet, const FacetPiece& piece, std::size_t k, double share) const {
     std::size_t i = k, j = next(k);
     if (piece.corners[i] > piece.corners[j]) std::swap(i, j);
     const Vec3 bary = (1 - share) * piece.bary[i] + share * piece.bary[j];
@@ -133,7 +133,7 @@ class Divider {
     return vertex < given.size() ? given[vertex] : made_[vertex - given.size()];
   }
 
-  bool bulges(const RoundedFacet& facet, const Piece& piece, std::size_t k) const {
+  bool bulges(const RoundedFacet& facet, const FacetPiece& piece, std::size_t k) const {
     const auto [low, high] = std::minmax(piece.corners[k], piece.corners[next(k)]);
     const Vec3 &p = position(low), &q = position(high);
     // An S lies on its chord in the middle.
@@ -147,11 +147,11 @@ class Divider {
   std::vector<std::uint8_t> mark() {
     std::vector<std::uint8_t> marks(pieces_.size(), 0);
     parallel_for(
-        pieces_.size(), kGrain,
+        pieces_.size(), kFacetGrain,
         [&](std::size_t begin, std::size_t end) {
           std::optional<RoundedFacet> facet;  // the pieces of one follow each other
           for (std::size_t i = begin; i < end; ++i) {
-            Piece& piece = pieces_[i];
+            FacetPiece& piece = pieces_[i];
             if (piece.settled) continue;
             if (!facet || facet->face() != piece.facet) facet = surface_.facet(piece.facet);
             for (std::size_t k = 0; k < 3; ++k) {
@@ -164,7 +164,7 @@ class Divider {
     return marks;
   }
 
-  std::uint32_t middle(const Piece& piece, std::size_t k) {
+  std::uint32_t middle(const FacetPiece& piece, std::size_t k) {
     const auto [low, high] = std::minmax(piece.corners[k], piece.corners[next(k)]);
     const auto [entry, added] = middles_.try_emplace(
         static_cast<std::uint64_t>(low) << 32U | high,
@@ -174,17 +174,17 @@ class Divider {
   }
 
   void divide(const std::vector<std::uint8_t>& marks, std::size_t more) {
-    std::vector<Piece> out;
+    std::vector<FacetPiece> out;
     out.reserve(pieces_.size() + more);
     middles_.clear();
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (i % kGrain == 0) context_.check();
+      if (i % kFacetGrain == 0) context_.check();
       divide(pieces_[i], marks[i], out);
     }
     pieces_ = std::move(out);
   }
 
-  void divide(const Piece& piece, std::uint8_t marks, std::vector<Piece>& out) {
+  void divide(const FacetPiece& piece, std::uint8_t marks, std::vector<FacetPiece>& out) {
     if (marks == 0) {
       out.push_back(piece);
       return;
@@ -207,20 +207,20 @@ class Divider {
   RoundedMesh surface_;
   double tolerance_;
   const RunContext& context_;
-  std::vector<Piece> pieces_;
+  std::vector<FacetPiece> pieces_;
   std::vector<Vec3> made_;
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
 /// Whether the k-th edge of a piece lies on a crease of the facets.
-bool on_crease(const ProxyMesh& coarse, const Piece& piece, std::size_t k) {
+bool on_crease(const ProxyMesh& coarse, const FacetPiece& piece, std::size_t k) {
   const auto edge = facet_edge(piece.bary, k);
   return edge && coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + *edge));
 }
 
 /// For each wedge of the facets whether one around it was divided, and none is exact.
 std::vector<std::uint8_t> touched(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
-                                  const std::vector<Piece>& pieces) {
+                                  const std::vector<FacetPiece>& pieces) {
   std::vector<std::uint8_t> out(coarse.wedge_vertex.size(), 0);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].facet != pieces[i - 1].facet) continue;
@@ -234,9 +234,9 @@ std::vector<std::uint8_t> touched(const ProxyMesh& coarse, std::span<const std::
 }
 
 /// The triangles of the new mesh: facets, and the pieces of those that were divided.
-class Layout {
+class DivisionLayout {
  public:
-  Layout(const ProxyMesh& coarse, const std::vector<Piece>& pieces)
+  DivisionLayout(const ProxyMesh& coarse, const std::vector<FacetPiece>& pieces)
       : coarse_(coarse), pieces_(pieces), first_(coarse.mesh.triangles.size() + 1, 1) {
     first_[0] = 0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -255,14 +255,14 @@ class Layout {
   template <class Work>
   void each(const RunContext& context, const Work& work) const {
     parallel_for(
-        coarse_.mesh.triangles.size(), kGrain,
+        coarse_.mesh.triangles.size(), kFacetGrain,
         [&](std::size_t begin, std::size_t end) { each(begin, end, work); }, &context);
   }
 
  private:
   template <class Work>
   void each(std::size_t begin, std::size_t end, const Work& work) const {
-    auto piece = std::ranges::lower_bound(pieces_, begin, {}, &Piece::facet);
+    auto piece = std::ranges::lower_bound(pieces_, begin, {}, &FacetPiece::facet);
     for (std::size_t f = begin; f < end; ++f) {
       std::size_t i = first_[f];
       if (piece == pieces_.end() || piece->facet != f) {
@@ -273,7 +273,7 @@ class Layout {
   }
 
   const ProxyMesh& coarse_;
-  const std::vector<Piece>& pieces_;
+  const std::vector<FacetPiece>& pieces_;
   std::vector<std::uint32_t> first_;
 };
 
@@ -285,7 +285,7 @@ class Normals {
   Normals(const ProxyMesh& coarse, std::span<const std::uint8_t> exact, const Divider& divider)
       : coarse_(coarse), divider_(divider), moved_(touched(coarse, exact, divider.pieces())) {}
 
-  std::array<Vec3, 3> of(const Piece& piece) const {
+  std::array<Vec3, 3> of(const FacetPiece& piece) const {
     std::array<Vec3, 3> out;
     std::optional<RoundedFacet> facet;
     double strict = 1;
@@ -340,12 +340,12 @@ class Normals {
 };
 
 /// What a proxy knows of its source, by triangles and half-edges.
-void copy_source(const ProxyMesh& coarse, const Layout& layout, ProxyDraft& draft) {
+void copy_source(const ProxyMesh& coarse, const DivisionLayout& layout, ProxyDraft& draft) {
   if (coarse.source_face.empty() && coarse.source_edge.empty()) return;
   draft.source_face.assign(coarse.source_face.empty() ? 0 : layout.size(), -1);
   draft.source_edge.assign(coarse.source_edge.empty() ? 0 : 3 * layout.size(), -1);
   draft.seam.assign(coarse.seam.empty() ? 0 : 3 * layout.size(), 0);
-  layout.each([&](std::size_t i, const Piece& piece) {
+  layout.each([&](std::size_t i, const FacetPiece& piece) {
     if (!draft.source_face.empty()) draft.source_face[i] = coarse.source_face[piece.facet];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto edge = facet_edge(piece.bary, k);
@@ -358,7 +358,8 @@ void copy_source(const ProxyMesh& coarse, const Layout& layout, ProxyDraft& draf
 }
 
 ProxyDraft draft_of(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
-                    const Divider& divider, const Layout& layout, const RunContext& context) {
+                    const Divider& divider, const DivisionLayout& layout,
+                    const RunContext& context) {
   ProxyDraft draft;
   draft.mesh.positions = divider.positions();
   draft.mesh.triangles.resize(layout.size());
@@ -367,7 +368,7 @@ ProxyDraft draft_of(const ProxyMesh& coarse, std::span<const std::uint8_t> exact
   draft.tolerance = coarse.tolerance;
   copy_source(coarse, layout, draft);
   const Normals normals(coarse, exact, divider);
-  layout.each(context, [&](std::size_t i, const Piece& piece) {
+  layout.each(context, [&](std::size_t i, const FacetPiece& piece) {
     draft.mesh.triangles[i] = piece.corners;
     const std::array<Vec3, 3> normal = normals.of(piece);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -379,10 +380,10 @@ ProxyDraft draft_of(const ProxyMesh& coarse, std::span<const std::uint8_t> exact
 }
 
 /// Parts the wedges of the new mesh at the tips of the facets, as theirs are parted.
-void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const Layout& layout,
+void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const DivisionLayout& layout,
                const std::vector<std::uint8_t>& tips, const std::vector<Vec3>& corner_normal) {
   std::vector<std::uint32_t> label(corner_normal.size(), 0);
-  layout.each([&](std::size_t i, const Piece& piece) {
+  layout.each([&](std::size_t i, const FacetPiece& piece) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (piece.bary[corner][static_cast<int>(k)] != 1) continue;
@@ -392,7 +393,7 @@ void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const Layout& layout,
     }
   });
   part_wedges(proxy, label, [&](HalfEdge h) { return corner_normal[static_cast<std::size_t>(h)]; });
-  layout.each([&](std::size_t i, const Piece& piece) {
+  layout.each([&](std::size_t i, const FacetPiece& piece) {
     const auto k = corner_beside_tips(tips, coarse.wedges[piece.facet]);
     if (!k) return;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -408,12 +409,12 @@ void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const Layout& layout,
 std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolerance,
                                           std::size_t most, const RunContext& context,
                                           std::span<const std::uint8_t> exact) {
-  std::vector<Piece> facets = coarse_facets(coarse, exact, tolerance);
+  std::vector<FacetPiece> facets = coarse_facets(coarse, exact, tolerance);
   if (facets.empty()) return std::nullopt;
   RoundedFacets out;
   Divider divider(coarse, std::move(facets), exact, tolerance, context);
   if (!divider.run(most, out.cut_short)) return std::nullopt;
-  const Layout layout(coarse, divider.pieces());
+  const DivisionLayout layout(coarse, divider.pieces());
   ProxyDraft draft = draft_of(coarse, exact, divider, layout, context);
   const std::vector<std::uint8_t> tips = wedges_at_tips(coarse);
   const std::vector<Vec3> corner_normal = tips.empty() ? std::vector<Vec3>() : draft.corner_normal;
@@ -422,7 +423,7 @@ std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolera
   if (!tips.empty()) part_tips(out.proxy, coarse, layout, tips, corner_normal);
   out.wedge_origin.resize(out.proxy.wedge_vertex.size());
   out.face_origin.resize(layout.size());
-  layout.each([&](std::size_t i, const Piece& piece) {
+  layout.each([&](std::size_t i, const FacetPiece& piece) {
     out.face_origin[i] = piece.facet;
     for (std::size_t k = 0; k < 3; ++k) {
       out.wedge_origin[out.proxy.wedges[i][k]] = {piece.facet, piece.bary[k]};

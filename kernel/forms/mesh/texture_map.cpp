@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-Vec3 barycentric(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
+Vec3 barycentric_in_space(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
   const Vec3 ab = b - a, ac = c - a, n = glm::cross(ab, ac);
   const double whole = glm::dot(n, n);
   const double at_b = glm::dot(glm::cross(p - a, ac), n) / whole,
@@ -91,8 +91,8 @@ std::optional<Vec2> TextureMap::at(Vec3 position) const {
   std::call_once(impl_->once, [&] { impl_->nearest.emplace(mesh); });
   const auto found = impl_->nearest->at(position);
   const Triangle& t = mesh.triangles[found.triangle];
-  const Vec3 bary =
-      barycentric(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], found.position);
+  const Vec3 bary = barycentric_in_space(mesh.positions[t[0]], mesh.positions[t[1]],
+                                         mesh.positions[t[2]], found.position);
   Vec2 uv(0);
   for (std::size_t k = 0; k < 3; ++k) {
     uv += bary[static_cast<glm::length_t>(k)] *

@@ -33,7 +33,7 @@ int degree(const Chart& chart, int direction) {
   return !data ? 3 : direction == 0 ? data->degree_u : data->degree_v;
 }
 
-int samples(const Chart& chart, int direction, double from, double to) {
+int samples_between(const Chart& chart, int direction, double from, double to) {
   const std::vector<double> knots = chart.breaks(direction, kAnyOrder);
   if (knots.empty() && !nurbs_data(chart)) return kFunctionSamples;
   int spans = 1;
@@ -60,7 +60,7 @@ void GridPlan::find_pieces(const Chart& chart) {
     ends.push_back(box_.max[i]);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       Piece p{ends[k], ends[k + 1], at_[i].size(), 0};
-      p.count = static_cast<std::size_t>(samples(chart, i, p.from, p.to));
+      p.count = static_cast<std::size_t>(samples_between(chart, i, p.from, p.to));
       const double margin = kInside * box_.size()[i];
       for (std::size_t s = 0; s < p.count; ++s) {
         const double x = p.from + p.step() * static_cast<double>(s);

@@ -10,16 +10,16 @@ namespace {
 
 // Cosines: of a facet against the mean normal around a vertex inside a smooth stretch (30 degrees),
 // and of neighbouring facets (40.5 degrees).
-constexpr double kAround = 0.866, kNeighbours = 0.760;
+constexpr double kAround = 0.866, kNeighbouring = 0.760;
 // How far vertices may be off, as a share of the sagitta.
-constexpr double kOfSagitta = 0.05;
+constexpr double kOffBall = 0.05;
 constexpr std::size_t kLeastPoints = 5, kLeastCore = 4;
 // Facets of more corners are caps or what a plane has cut: their rims are no smooth stretches.
 constexpr std::size_t kMostCorners = 8;
 
-class Finder {
+class BallFinder {
  public:
-  Finder(const TriMesh& mesh, const Facets& facets, const RunContext& context)
+  BallFinder(const TriMesh& mesh, const Facets& facets, const RunContext& context)
       : mesh_(mesh), facets_(facets), context_(context), around_(mesh.positions.size()) {
     for (std::size_t f = 0; f < facets.list.size(); ++f) {
       for (const std::uint32_t v : facets.list[f].vertices) {
@@ -94,7 +94,7 @@ class Finder {
   double off(const Ball& ball, std::uint32_t v) const {
     return glm::length(mesh_.positions[v] - ball.center) - std::abs(ball.radius);
   }
-  double allowed(const Ball& ball) const { return kOfSagitta * ball.sagitta + 3 * facets_.noise; }
+  double allowed(const Ball& ball) const { return kOffBall * ball.sagitta + 3 * facets_.noise; }
 
   std::vector<std::uint32_t> grow(std::uint32_t seed, const Ball& ball) const {
     std::vector<std::uint32_t> points{seed};
@@ -180,7 +180,7 @@ class Finder {
     for (std::size_t i = 0; i < ball.facets.size(); ++i) {
       const std::int32_t f = ball.facets[i];
       for (const FacetLink& l : facet(f).links) {
-        if (glm::dot(facet(f).normal, facet(l.facet).normal) >= kNeighbours) take(l.facet);
+        if (glm::dot(facet(f).normal, facet(l.facet).normal) >= kNeighbouring) take(l.facet);
       }
     }
   }
@@ -196,7 +196,7 @@ class Finder {
 }  // namespace
 
 std::vector<Ball> find_balls(const TriMesh& mesh, const Facets& facets, const RunContext& context) {
-  return Finder(mesh, facets, context).run();
+  return BallFinder(mesh, facets, context).run();
 }
 
 }  // namespace burin::recognised

@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t kMostTests = 20'000'000;
 
 /// Makes bands and spheres of runs.
-class Finder {
+class BandFinder {
  public:
-  Finder(const TriMesh& mesh, const Facets& facets, const RunContext& context)
+  BandFinder(const TriMesh& mesh, const Facets& facets, const RunContext& context)
       : mesh_(mesh), facets_(facets), context_(context), finder_(mesh, facets) {}
 
   Bands run() {
@@ -262,8 +262,8 @@ void measure(const TriMesh& mesh, const Facets& facets, Band& band) {
 
 Bands find_bands(const TriMesh& mesh, const Facets& facets, const RunContext& context) {
   const OutlineWalls walls = find_outline_walls(mesh, facets, context);
-  Bands bands = walls.patches.empty() ? Finder(mesh, facets, context).run()
-                                      : Finder(mesh, without(facets, walls), context).run();
+  Bands bands = walls.patches.empty() ? BandFinder(mesh, facets, context).run()
+                                      : BandFinder(mesh, without(facets, walls), context).run();
   for (Band& band : bands.list) measure(mesh, facets, band);
   const auto first = static_cast<std::int32_t>(bands.spheres.size());
   for (std::size_t f = 0; f < walls.of.size(); ++f) {

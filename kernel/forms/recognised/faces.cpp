@@ -2,6 +2,7 @@
 
 #include <burin/base/disjoint_sets.h>
 
+#include "facets.h"
 #include "meet.h"
 #include "walls.h"
 
@@ -13,7 +14,6 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 // A plane goes over into a round surface where it continues the run of facets: their angle to it is
 // no more than that between facets, and half of that to the surface itself.
 constexpr double kAsFacets = 1.1, kAsSurface = 0.55;

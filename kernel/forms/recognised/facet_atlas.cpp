@@ -3,6 +3,7 @@
 #include <burin/forms/charted/analytic_chart.h>
 #include <burin/work_mesh/half_edges.h>
 
+#include "facets.h"
 #include "meet.h"
 #include "patch_chart.h"
 
@@ -28,8 +29,6 @@ struct Cell {
 
 // Noises of the input within which a point lies on an axis.
 constexpr double kPole = 4;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The plane of a facet over lengths in it.
 class PlaneBox {

@@ -14,7 +14,7 @@ constexpr double kSingleNoise = 1.2e-7;
 // Noises that a corner may lie off the plane of its facet: three coordinates are rounded.
 constexpr double kOff = 3;
 // Radians between triangles of one facet: a tenth of a degree is a circle of 3600 sides.
-constexpr double kFlat = 0.0017;
+constexpr double kFlatFacet = 0.0017;
 
 struct Shape {
   Vec3 normal{0};
@@ -35,9 +35,9 @@ Shape shape_of(const TriMesh& mesh, std::uint32_t t) {
   return s;
 }
 
-class Finder {
+class FacetFinder {
  public:
-  Finder(const TriMesh& mesh, const Topology& topology, std::span<const std::int32_t> label)
+  FacetFinder(const TriMesh& mesh, const Topology& topology, std::span<const std::int32_t> label)
       : mesh_(mesh), topology_(topology), label_(label) {
     out_.noise = mesh_noise(mesh);
     out_.of.assign(mesh.triangles.size(), -1);
@@ -65,7 +65,7 @@ class Finder {
   bool fits(const Facet& f, const Shape& seed, std::uint32_t t) const {
     const Shape& s = shapes_[t];
     // A triangle as thin as the noise may point anywhere.
-    const double angle = std::max(kFlat, 4 * out_.noise / std::max(s.height, 1e-300));
+    const double angle = std::max(kFlatFacet, 4 * out_.noise / std::max(s.height, 1e-300));
     if (angle < 1 && glm::dot(s.normal, f.normal) < std::cos(angle)) return false;
     for (const std::uint32_t v : mesh_.triangles[t]) {
       const Vec3 p = mesh_.positions[v];
@@ -163,7 +163,7 @@ double mesh_noise(const TriMesh& mesh) {
 
 Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context,
                    std::span<const std::int32_t> label) {
-  return Finder(mesh, topology, label).run(context);
+  return FacetFinder(mesh, topology, label).run(context);
 }
 
 }  // namespace burin::recognised

@@ -6,11 +6,21 @@
 #include <burin/mesh/tri_mesh.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
 namespace burin::recognised {
+
+inline std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+constexpr double kDegree = std::numbers::pi / 180, kTurn = 2 * std::numbers::pi;
+/// Of the first two steps of a run, or the sides of a circle: how unequal they may be.
+constexpr double kEqual = 0.02;
+/// Facets of which one bends no more than so many times as much as the next are those of one curve;
+/// circles beyond are stretches of a spline.
+constexpr double kOtherCircle = 1.5;
 
 /// In [0, pi], of vectors of any length.
 inline double angle_between(Vec3 a, Vec3 b) {

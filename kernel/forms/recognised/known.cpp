@@ -1,5 +1,7 @@
 #include "known.h"
 
+#include "facets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,8 +16,6 @@ namespace {
 constexpr double kParallel = 1e-5;
 // A cone of less than a hundredth of a degree is a cylinder that was rounded.
 constexpr double kUpright = 1e-4;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// How far chords of `step` radians lie within a circle of `radius`.
 double chord_depth(double radius, double step) { return radius * (1 - std::cos(0.5 * step)); }

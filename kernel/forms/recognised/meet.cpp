@@ -9,8 +9,8 @@ namespace burin::recognised {
 namespace {
 
 // A point moves by the sagitta where surfaces meet at right angles, by more where they do not.
-constexpr double kReach = 4;
-constexpr int kSteps = 12;
+constexpr double kMeetReach = 4;
+constexpr int kMeetSteps = 12;
 // Surfaces that meet at less than this (sine) do not hold a point along their common normal.
 constexpr double kTransversal = 0.03;
 
@@ -83,19 +83,19 @@ bool Meeting::operator()(std::span<const SurfaceRef> refs, Vec3& p) const {
   for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
   if (refs.size() == 1 && refs.front() >= 0) {
     const Vec3 q = round_.patches[static_cast<std::size_t>(refs.front())].project(p);
-    if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
+    if (!(glm::length(q - p) <= kMeetReach * sagittas + 10 * facets_.noise)) return false;
     p = q;
     return true;
   }
   const double close = 2 * facets_.noise + 1e-3 * sagittas;
   Vec3 q = p;
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kMeetSteps; ++step) {
     double worst = 0;
     const Vec3 d = refs.size() > 2 ? step_to_all(refs, q, worst) : step_to_both(refs, q, worst);
     // Once near, one more step squares the rest.
     const bool last = worst <= 1e-6 * close;
     if (!last || worst > 0) q += d;
-    if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
+    if (!(glm::length(q - p) <= kMeetReach * sagittas + 10 * facets_.noise)) return false;
     if (last) break;
   }
   for (const SurfaceRef r : refs) {

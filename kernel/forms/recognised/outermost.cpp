@@ -10,7 +10,7 @@ namespace {
 
 // Sagittas that a surface may lie beyond the corners of a facet: two and some more where it meets
 // others.
-constexpr double kReach = 8;
+constexpr double kOutermostReach = 8;
 
 class Outermost {
  public:
@@ -61,7 +61,7 @@ class Outermost {
   bool may_stick_out(std::size_t t) const {
     if (patch_of(t) < 0) return false;
     const Vec3 reach =
-        kReach * round_.patches[static_cast<std::size_t>(patch_of(t))].sagitta * stretch_;
+        kOutermostReach * round_.patches[static_cast<std::size_t>(patch_of(t))].sagitta * stretch_;
     return std::ranges::any_of(mesh_.triangles[t], [&](std::uint32_t v) {
       const Vec3 p = axes_ * mesh_.positions[v];
       for (int k = 0; k < 3; ++k) {

@@ -14,7 +14,7 @@ namespace burin::recognised {
 namespace {
 
 // What meets at less is smooth in meshes of which nothing is known, too.
-constexpr double kLargestTurn = 29.9 * std::numbers::pi / 180;
+constexpr double kSmoothTurn = 29.9 * std::numbers::pi / 180;
 // What meets at more is an edge: a chamfer of 45 degrees along a rim, not the next meridian of a
 // coarse ball.
 constexpr double kEdge = 44 * std::numbers::pi / 180;
@@ -22,7 +22,7 @@ constexpr double kEdge = 44 * std::numbers::pi / 180;
 constexpr std::size_t kFewestWalls = 4;
 
 /// The straight edge that two facets share.
-struct Edge {
+struct OutlineEdge {
   Vec3 middle{0}, along{0};
 };
 
@@ -30,7 +30,7 @@ struct Edge {
 struct Chain {
   std::vector<std::int32_t> facets;
   /// Between a facet and the next; closed: and between the last and the first.
-  std::vector<Edge> edges;
+  std::vector<OutlineEdge> edges;
   bool closed = false;
   /// Whether it goes over into what is no wall.
   bool lost = false;
@@ -60,7 +60,7 @@ class OutlineFinder {
     for (const FacetLink& l : facet(f).links) {
       if (out_.of[static_cast<std::size_t>(f)] >= 0) return;
       if (!bends_to(f, l.facet)) continue;
-      const std::optional<Edge> edge = edge_between(f, l.facet);
+      const std::optional<OutlineEdge> edge = edge_between(f, l.facet);
       if (!edge) continue;
       const Vec3 up = glm::normalize(edge->along);
       if (seen(f, up) || !upright(f, up)) continue;
@@ -75,13 +75,13 @@ class OutlineFinder {
                                [&](Vec3 d) { return std::abs(glm::dot(d, up)) > 1 - 1e-6; });
   }
 
-  bool bends_to(std::int32_t f, std::int32_t g, double most = kLargestTurn) const {
+  bool bends_to(std::int32_t f, std::int32_t g, double most = kSmoothTurn) const {
     return facet(f).area > 0 && facet(g).area > 0 &&
            angle_between(facet(f).normal, facet(g).normal) <= most;
   }
 
   /// None where the corners that both have are not on one line.
-  std::optional<Edge> edge_between(std::int32_t f, std::int32_t g) const {
+  std::optional<OutlineEdge> edge_between(std::int32_t f, std::int32_t g) const {
     const auto& a = facet(f).vertices;
     const auto& b = facet(g).vertices;
     std::vector<std::uint32_t> common;
@@ -94,7 +94,7 @@ class OutlineFinder {
     };
     const Vec3 begin = farthest(first), end = farthest(begin);
     if (!(glm::distance(begin, end) > off())) return std::nullopt;
-    const Edge edge{0.5 * (begin + end), end - begin};
+    const OutlineEdge edge{0.5 * (begin + end), end - begin};
     const bool straight = std::ranges::all_of(common, [&](std::uint32_t v) {
       return beside(position(v) - begin, glm::normalize(edge.along)) <= off();
     });
@@ -104,7 +104,7 @@ class OutlineFinder {
   /// mm from a line through the origin.
   static double beside(Vec3 p, Vec3 direction) { return glm::length(glm::cross(p, direction)); }
 
-  bool runs_along(const Edge& edge, Vec3 up) const {
+  bool runs_along(const OutlineEdge& edge, Vec3 up) const {
     return beside(edge.along, up) <= off() + 1e-5 * glm::length(edge.along);
   }
 
@@ -112,7 +112,7 @@ class OutlineFinder {
   bool upright(std::int32_t f, Vec3 up) const {
     return std::ranges::all_of(facet(f).links, [&](const FacetLink& l) {
       if (!bends_to(f, l.facet, kEdge)) return facet(l.facet).area > 0;
-      const std::optional<Edge> edge = edge_between(f, l.facet);
+      const std::optional<OutlineEdge> edge = edge_between(f, l.facet);
       return edge && runs_along(*edge, up);
     });
   }
@@ -120,7 +120,7 @@ class OutlineFinder {
   /// The facet that follows where a wall ends.
   struct Step {
     std::int32_t facet = -1;
-    Edge edge;
+    OutlineEdge edge;
     /// Whether something bends away that is no wall: then all of it is something else.
     bool lost = false;
   };
@@ -128,7 +128,7 @@ class OutlineFinder {
     Step best;
     for (const FacetLink& l : facet(f).links) {
       if (!bends_to(f, l.facet)) continue;
-      const std::optional<Edge> edge = edge_between(f, l.facet);
+      const std::optional<OutlineEdge> edge = edge_between(f, l.facet);
       if (!edge || !runs_along(*edge, up) || !ends_at(f, *edge, up, sense)) continue;
       if (!upright(l.facet, up)) best.lost = true;
       if (best.lost || !ends_at(l.facet, *edge, up, -sense)) continue;
@@ -141,7 +141,7 @@ class OutlineFinder {
 
   Vec3 onwards(std::int32_t f, Vec3 up) const { return glm::cross(up, facet(f).normal); }
 
-  bool ends_at(std::int32_t f, const Edge& edge, Vec3 up, double sense) const {
+  bool ends_at(std::int32_t f, const OutlineEdge& edge, Vec3 up, double sense) const {
     const Vec3 way = sense * onwards(f, up);
     return std::ranges::all_of(facet(f).vertices, [&](std::uint32_t v) {
       return glm::dot(position(v) - edge.middle, way) <= off();
@@ -191,7 +191,7 @@ class OutlineFinder {
   /// too.
   std::vector<Vec3> corners_of(const Chain& chain, Vec3 up, bool& closes) const {
     std::vector<Vec3> corners;
-    for (const Edge& e : chain.edges) corners.push_back(e.middle);
+    for (const OutlineEdge& e : chain.edges) corners.push_back(e.middle);
     closes = chain.closed;
     if (closes) {
       std::rotate(corners.begin(), corners.end() - 1, corners.end());

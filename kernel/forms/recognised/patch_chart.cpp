@@ -1,5 +1,7 @@
 #include "patch_chart.h"
 
+#include "facets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,11 +9,10 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Cosine between normal and axis from which on a patch is a cap.
 constexpr double kCap = 0.8;
 // Steps of Newton's method for a cubic profile, which is nearly a line.
-constexpr int kSteps = 8;
+constexpr int kChartSteps = 8;
 // Of the domain, on each side beyond the triangles: the curves of edges leave their chords.
 constexpr double kBeside = 0.1;
 
@@ -104,7 +105,7 @@ double PatchChart::at_radius(double r) const {
     return std::atan2((patch_.radius > 0) == (cap_ > 0) ? y : -y, x);
   }
   double v = 0;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kChartSteps; ++i) {
     const Profile at = profile(v);
     const double off = at.p.x - r;
     if (off == 0 || at.d.x == 0) break;

@@ -1,5 +1,7 @@
 #include "profiles.h"
 
+#include "facets.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -9,11 +11,10 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 // Slopes below this are those of a line.
 constexpr double kStraight = 1e-6;
 // How far joints may lie off a circle, as a share of the sagitta.
-constexpr double kOfSagitta = 0.05;
+constexpr double kOffCircle = 0.05;
 
 double slope(const Segment& s, Vec2 tangent) {
   return glm::dot(tangent, s.normal) / std::max(glm::dot(tangent, s.along()), 0.1);
@@ -53,7 +54,7 @@ Circle circle_through(const std::vector<Vec2>& points, double longest, double no
   c.radius = std::sqrt(square);
   const double sagitta = longest * longest / (8 * c.radius);
   c.found = std::all_of(points.begin(), points.end(), [&](Vec2 p) {
-    return std::abs(glm::length(p - c.middle) - c.radius) <= kOfSagitta * sagitta + 3 * noise;
+    return std::abs(glm::length(p - c.middle) - c.radius) <= kOffCircle * sagitta + 3 * noise;
   });
   return c;
 }

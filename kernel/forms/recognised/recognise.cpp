@@ -10,9 +10,9 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kLargestTurn = 0.707;  // 40.5 degrees
+constexpr double kTurnOfFacets = 0.707;  // 40.5 degrees
 // Sine of the angle between axes that are one.
-constexpr double kParallel = 1e-4;
+constexpr double kOneAxis = 1e-4;
 
 /// A band, or a flat ring or cap across the axis of one.
 struct Node {
@@ -62,7 +62,7 @@ class Joiner {
 
   bool same_axis(const Patch& a, const Patch& b) const {
     if (std::abs(a.step - b.step) > 1e-3 * a.step) return false;
-    if (glm::length(glm::cross(a.axis.direction, b.axis.direction)) > kParallel) return false;
+    if (glm::length(glm::cross(a.axis.direction, b.axis.direction)) > kOneAxis) return false;
     const double off = a.axis.profile(b.axis.origin).x;
     return off <= 0.05 * std::min(a.sagitta, b.sagitta) + 10 * facets_.noise;
   }
@@ -73,7 +73,7 @@ class Joiner {
       for (const FacetLink& l : facet(f).links) {
         const std::int32_t other = bands_.of[static_cast<std::size_t>(l.facet)];
         if (other == b || bands_.of_sphere[static_cast<std::size_t>(l.facet)] >= 0) continue;
-        if (glm::dot(facet(f).normal, facet(l.facet).normal) < std::cos(kLargestTurn)) continue;
+        if (glm::dot(facet(f).normal, facet(l.facet).normal) < std::cos(kTurnOfFacets)) continue;
         if (other >= 0) {
           if (linked(b, other) || !same_axis(patch(b), patch(other))) continue;
           if (on_ring(patch(b), facet(f), facet(l.facet))) connect(b, other);
@@ -110,7 +110,7 @@ class Joiner {
   Ring ring_of(const Patch& p, const Facet& f) const {
     Ring ring;
     const double along = glm::dot(f.normal, p.axis.direction);
-    if (std::abs(along) < 1 - 0.5 * kParallel * kParallel - 1e-9) return ring;
+    if (std::abs(along) < 1 - 0.5 * kOneAxis * kOneAxis - 1e-9) return ring;
     ring.side = along > 0 ? 1 : -1;
     std::vector<double> radii;
     for (const std::uint32_t v : f.vertices) {

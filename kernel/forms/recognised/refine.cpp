@@ -14,7 +14,7 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kLargestTurn = 0.21;  // 12 degrees between the normals at both ends of an edge
+constexpr double kTurnOfEdge = 0.21;  // 12 degrees between the normals at both ends of an edge
 constexpr int kRounds = 8;
 constexpr std::size_t kMostTriangles = 20'000'000;
 // Of an edge: how far along it halfway between the parameters of its ends may be off its middle.
@@ -33,7 +33,7 @@ struct KnownPlace {
 };
 
 /// An edge once, with one half-edge of each side.
-struct Edge {
+struct SplitEdge {
   Pair ends;
   HalfEdge one = kNoHalfEdge, other = kNoHalfEdge;
   bool split = false;
@@ -136,7 +136,7 @@ class Refiner {
   }
 
   /// Those that may still be split.
-  std::vector<Edge> find_edges() const {
+  std::vector<SplitEdge> find_edges() const {
     std::vector<std::pair<Pair, HalfEdge>> all;
     for (std::size_t h = 0; h < settled_.size(); ++h) {
       if (settled_[h]) continue;
@@ -145,11 +145,11 @@ class Refiner {
       all.push_back({ordered(a, b), static_cast<HalfEdge>(h)});
     }
     std::sort(all.begin(), all.end());
-    std::vector<Edge> edges;
+    std::vector<SplitEdge> edges;
     edges.reserve(all.size() / 2);
     // Solids that only touch along an edge have vertices of their own: two half-edges at the most.
     for (std::size_t i = 0; i < all.size(); ++i) {
-      Edge e;
+      SplitEdge e;
       e.ends = all[i].first;
       e.one = all[i].second;
       if (i + 1 < all.size() && all[i + 1].first == e.ends) e.other = all[++i].second;
@@ -158,13 +158,13 @@ class Refiner {
     return edges;
   }
 
-  void settle(const Edge& e) {
+  void settle(const SplitEdge& e) {
     settled_[static_cast<std::size_t>(e.one)] = 1;
     if (e.other != kNoHalfEdge) settled_[static_cast<std::size_t>(e.other)] = 1;
   }
 
   /// The surfaces on both sides of an edge, and how many they are.
-  std::size_t surfaces_at(const Edge& e, std::array<SurfaceRef, 2>& both) const {
+  std::size_t surfaces_at(const SplitEdge& e, std::array<SurfaceRef, 2>& both) const {
     if (e.other == kNoHalfEdge) return 1;
     both[1] = ref_of(face_of(e.other));
     if (!is_one(both[0], both[1])) return 2;
@@ -173,7 +173,7 @@ class Refiner {
   }
 
   /// Whether the middle of an edge is off its surfaces; it is put there.
-  void look_at(Edge& e) const {
+  void look_at(SplitEdge& e) const {
     std::array<SurfaceRef, 2> both{ref_of(face_of(e.one)), -1};
     const std::span<const SurfaceRef> refs(both.data(), surfaces_at(e, both));
     const SurfaceRef round = *std::ranges::max_element(refs);
@@ -184,14 +184,13 @@ class Refiner {
     if (!halve_on_sheet(e, round) && !meet_(refs, e.middle)) return;
     const double off = glm::length(e.middle - chord);
     if (off <= 4 * facets_.noise && off <= tolerance_) return;
-    e.split = off > tolerance_ ||
-              glm::dot(normal_at(round, e.ends.first), normal_at(round, e.ends.second)) <
-                  std::cos(kLargestTurn);
+    e.split = off > tolerance_ || glm::dot(normal_at(round, e.ends.first),
+                                           normal_at(round, e.ends.second)) < std::cos(kTurnOfEdge);
   }
 
   /// Puts the middle of an edge that lies within one sheet halfway between the parameters of its
   /// ends, which needs no search; false where that is not near the middle of the chord.
-  bool halve_on_sheet(Edge& e, SurfaceRef ref) const {
+  bool halve_on_sheet(SplitEdge& e, SurfaceRef ref) const {
     if (e.other == kNoHalfEdge || ref_of(face_of(e.one)) != ref_of(face_of(e.other))) return false;
     const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
     if (!patch.sheet) return false;
@@ -234,9 +233,9 @@ class Refiner {
   }
 
   bool split_once() {
-    std::vector<Edge> edges = find_edges();
+    std::vector<SplitEdge> edges = find_edges();
     std::size_t count = 0;
-    for (Edge& e : edges) {
+    for (SplitEdge& e : edges) {
       if (++count % 1024 == 0) context_.check();
       look_at(e);
       // What it lies on stays the same, so the answer does.
@@ -251,7 +250,7 @@ class Refiner {
     }
     take_back(edges);
     bool any = false;
-    for (Edge& e : edges) {
+    for (SplitEdge& e : edges) {
       if (!e.split) continue;
       any = true;
       e.vertex = static_cast<std::uint32_t>(m_.mesh.positions.size());
@@ -266,14 +265,14 @@ class Refiner {
   }
 
   /// Edges at triangles that would turn over stay as they are.
-  void take_back(std::vector<Edge>& edges) {
+  void take_back(std::vector<SplitEdge>& edges) {
     for (int pass = 0; pass < kPasses; ++pass) {
       bool again = false;
       for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
         if (pieces_upright(t, edges)) continue;
         for (std::size_t k = 0; k < 3; ++k) {
           if (!is_split(3 * std::size_t{t} + k, edges)) continue;
-          Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
+          SplitEdge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
           e.split = false;
           settle(e);
           again = true;
@@ -284,7 +283,8 @@ class Refiner {
   }
 
   /// The corners of a triangle and the middles of its sides; the pieces that it falls into.
-  Division pieces(std::uint32_t t, const std::vector<Edge>& edges, std::array<Vec3, 6>& p) const {
+  Division pieces(std::uint32_t t, const std::vector<SplitEdge>& edges,
+                  std::array<Vec3, 6>& p) const {
     std::uint8_t marks = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t h = 3 * std::size_t{t} + k;
@@ -296,11 +296,11 @@ class Refiner {
     return divide(marks, p);
   }
 
-  bool is_split(std::size_t h, const std::vector<Edge>& edges) const {
+  bool is_split(std::size_t h, const std::vector<SplitEdge>& edges) const {
     return edge_of_[h] >= 0 && edges[static_cast<std::size_t>(edge_of_[h])].split;
   }
 
-  bool pieces_upright(std::uint32_t t, const std::vector<Edge>& edges) const {
+  bool pieces_upright(std::uint32_t t, const std::vector<SplitEdge>& edges) const {
     std::array<Vec3, 6> p;
     const Division division = pieces(t, edges, p);
     if (division.count == 1) return true;
@@ -319,7 +319,7 @@ class Refiner {
   /// At the corners of a triangle and the middles of its sides: they are known, and a place within
   /// would have to be searched.
   std::array<Vec3, 6> normals_on_sheet(std::uint32_t t, SurfaceRef ref,
-                                       const std::vector<Edge>& edges,
+                                       const std::vector<SplitEdge>& edges,
                                        const std::array<Vec3, 6>& p) const {
     std::array<Vec3, 6> normal{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -332,7 +332,7 @@ class Refiner {
     return normal;
   }
 
-  void rebuild(const std::vector<Edge>& edges) {
+  void rebuild(const std::vector<SplitEdge>& edges) {
     FacetMesh out;
     out.mesh.positions = std::move(m_.mesh.positions);
     m_.mesh.positions = out.mesh.positions;

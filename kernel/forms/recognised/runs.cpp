@@ -1,5 +1,7 @@
 #include "runs.h"
 
+#include "facets.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -11,22 +13,17 @@
 namespace burin::recognised {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Nine facets a turn are the fewest; the rest is for rounding.
-constexpr double kLargestStep = kTurn / 9 * 1.01;
+constexpr double kLargestStepOfRun = kTurn / 9 * 1.01;
 // A circle of 1800 sides needs no healing.
 constexpr double kLeastStep = kTurn / 1800;
-// How unequal the first two steps may be.
-constexpr double kEqual = 0.02;
 // A plane may be off by this share of the sagitta of its facet: the facets of a thread, which drift
 // along the axis, are off by more.
-constexpr double kOfSagitta = 0.005;
+constexpr double kOffPlane = 0.005;
 // How far a facet may reach out of its share of the turn.
 constexpr double kSector = 0.02;
 // Nearly flat cones have no axis to speak of.
 constexpr double kFlattest = 0.99995;
-// Facets of which one bends no more than so many times as much as the next are those of one curve.
-constexpr double kOtherCircle = 1.5;
 // Sine of the angle between an edge and the axis along which it runs.
 constexpr double kAlong = 0.01;
 // Neighbours of a facet at which a run may begin: those with the longest edges.
@@ -78,7 +75,7 @@ void RunFinder::begin_at(std::int32_t middle) {
   std::vector<FacetLink> near;
   for (const FacetLink& l : facet(middle).links) {
     const double a = angle_between(facet(l.facet).normal, facet(middle).normal);
-    if (a <= kLargestStep && facet(l.facet).area > 0) near.push_back(l);
+    if (a <= kLargestStepOfRun && facet(l.facet).area > 0) near.push_back(l);
   }
   if (near.size() > kNeighbours) {
     std::stable_sort(near.begin(), near.end(),
@@ -121,7 +118,7 @@ void RunFinder::try_run(std::int32_t a, std::int32_t b, std::int32_t c) {
   };
   const double first = step(a, b), second = step(b, c);
   const double mean = 0.5 * (first + second);
-  if (std::abs(mean) > kLargestStep || std::abs(mean) < kLeastStep) return;
+  if (std::abs(mean) > kLargestStepOfRun || std::abs(mean) < kLeastStep) return;
   if (std::abs(first - second) > kEqual * std::abs(mean)) return;
   run.fit.step = std::abs(mean);
   const double sides = std::round(kTurn / run.fit.step);
@@ -148,7 +145,7 @@ bool RunFinder::holds(const Fit& fit, const Facet& f) const {
   for (const std::uint32_t v : f.vertices) {
     const Vec3 d = mesh_.positions[v] - fit.axis.origin;
     const double h = glm::dot(d, fit.axis.direction);
-    const double most = kOfSagitta * fit.sagitta(h) + 3 * facets_.noise;
+    const double most = kOffPlane * fit.sagitta(h) + 3 * facets_.noise;
     if (std::abs(glm::dot(normal, d) - fit.offset) > most) return false;
     const double out = glm::dot(d, spoke), aside = std::abs(glm::dot(d, around));
     if (aside > half * out + 3 * facets_.noise) return false;

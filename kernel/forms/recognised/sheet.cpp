@@ -12,15 +12,13 @@ namespace {
 
 // Of a span: how far beyond the ends the surface is still asked for.
 constexpr double kBeyond = 0.5;
-constexpr int kSteps = 12;
+constexpr int kSheetSteps = 12;
 // Of the size: after a shorter step what is left is its square.
 constexpr double kStill = 1e-8;
 // How often a step is halved.
 constexpr int kHalves = 8;
 // Square of the cosine between both directions of a cell.
 constexpr double kSlanted = 0.25;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double square_distance(const Box3& box, Vec3 p) {
   const Vec3 off = glm::max(glm::max(box.min - p, p - box.max), Vec3(0));
@@ -245,7 +243,7 @@ Vec2 Sheet::foot(Vec3 p, Vec2 uv, const GridWindow& window) const {
   };
   const double still = kStill * size_;
   SurfaceDerivatives d = derivatives(uv);
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kSheetSteps; ++step) {
     const Vec3 off = p - d.p;
     const double uu = glm::dot(d.u, d.u), vv = glm::dot(d.v, d.v);
     double a = uu - glm::dot(d.uu, off), b = glm::dot(d.u, d.v) - glm::dot(d.uv, off),

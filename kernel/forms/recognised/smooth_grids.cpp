@@ -12,23 +12,21 @@
 namespace burin {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using recognised::at;
+using recognised::kDegree;
+using recognised::kEqual;
+using recognised::kOtherCircle;
+
 // Steps of a turn of more than this are facets.
-constexpr double kLargestStep = 40.5 * kDegree;
+constexpr double kLargestStepOfGrid = 40.5 * kDegree;
 // Turns of an ellipse's sides follow one another as unequal as this.
 constexpr double kUnequal = 0.45;
 // Of the size: within that, points lie in a plane or on a line.
-constexpr double kFlat = 1e-7;
+constexpr double kFlatGrid = 1e-7;
 // Of the size: what six digits leave of points that are one.
 constexpr double kSamePoint = 5e-6;
-// How unequal lengths and angles of the sides of a circle may be, and from how many sides on.
-constexpr double kEqual = 0.02;
+// Sides from which on equal lengths and angles are those of a circle.
 constexpr std::size_t kFewestSides = 3;
-// Circles of which one bends no more than so many times as much as the next are stretches of a
-// spline.
-constexpr double kOtherCircle = 1.5;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Cells from `first` on, `count` of them; all of what closes where `whole`.
 struct Run {
@@ -57,7 +55,7 @@ class Parter {
   explicit Parter(PointGrid grid) : grid_(std::move(grid)) {
     Box3 box;
     for (const Vec3& p : grid_.points) box.add(p);
-    flat_ = kFlat * box.diagonal();
+    flat_ = kFlatGrid * box.diagonal();
     same_ = kSamePoint * box.diagonal();
     close();
   }
@@ -70,7 +68,7 @@ class Parter {
                                                  grid_.cell_columns(), grid_.columns_close);
     const std::vector<double> between_rows = row_turns();
     std::vector<bool> steps;
-    for (const double t : between_rows) steps.push_back(std::abs(t) <= kLargestStep);
+    for (const double t : between_rows) steps.push_back(std::abs(t) <= kLargestStepOfGrid);
     const std::vector<Run> along =
         runs_between(rows == Rows::Steps ? steps : smooth(between_rows, grid_.rows_close),
                      grid_.cell_rows(), grid_.rows_close);

@@ -37,7 +37,7 @@ std::string kind_of(const Part& part) {
 }
 
 /// A colour for each part that the input gives none.
-std::vector<std::string> colors_of(const Scene& scene) {
+std::vector<std::string> colors_of_parts(const Scene& scene) {
   std::map<std::string, std::size_t> kinds;
   std::vector<std::string> colors;
   for (const Part& part : scene.parts) {
@@ -152,7 +152,7 @@ std::string shadow_color(const Style& style) {
 Fills::Fills(const Scene& scene, const PartStyles& part_styles)
     : scene_(scene),
       part_styles_(part_styles),
-      own_(colors_of(scene)),
+      own_(colors_of_parts(scene)),
       paper_(rgb_of(part_styles.styles().front()->sheet.paper).value_or(kWhite)) {}
 
 std::string Fills::color(std::size_t part) const {

@@ -45,7 +45,7 @@ using Group = std::vector<const Area*>;
 using Rings = std::vector<std::vector<Vec2>>;
 
 /// Those that have lines of a direction: of nested ones the outermost.
-Group hatched(const Group& group, const FillOptions& fill, int direction) {
+Group hatched_group(const Group& group, const FillOptions& fill, int direction) {
   Group out;
   for (const Area* area : group) {
     if (directions(fill, step_of(*area, fill)) > direction) out.push_back(area);
@@ -74,7 +74,7 @@ class Hatcher {
     for (int k = 0; k < static_cast<int>(kDirections.size()); ++k) {
       const auto& [turned, wider] = kDirections[static_cast<std::size_t>(k)];
       const double angle = fill_.hatch.angle + turned, distance = wider * fill_.hatch.distance;
-      for (const Area* area : hatched(group, fill_, k)) {
+      for (const Area* area : hatched_group(group, fill_, k)) {
         Rings rings = area->rings;
         if (area == &whole) rings.insert(rings.end(), over_.begin(), over_.end());
         for (const auto& [a, b] : hatch_rings(rings, angle, distance)) {

@@ -17,13 +17,13 @@ namespace burin::detail {
 namespace {
 
 // mm of the light's sheet. Points so near the line through the others are left out.
-constexpr double kLineTolerance = 0.01;
+constexpr double kShadowTolerance = 0.01;
 // A line is looked at in pieces of this length.
 constexpr double kPiece = 3;
 // Where the light is looked for beside a line: in narrow gaps, and beyond facets that bulge.
 constexpr std::array<double, 4> kBeside = {0.4, -0.4, 0.1, -0.1};
 // Within which lines and rays agree on a border: chord errors.
-constexpr double kSlack = 0.04;
+constexpr double kShadowSlack = 0.04;
 
 /// Whether the light meets nothing through a place of its sheet.
 using Passes = std::function<bool(Vec2)>;
@@ -44,7 +44,7 @@ class Edges {
   void add(std::span<const Vec2> line) {
     std::vector<Vec2> points;
     std::vector<bool> open, corner;  // of the piece that ends at a point; of the point
-    for (const std::size_t i : simplify(line, kLineTolerance)) {
+    for (const std::size_t i : simplify(line, kShadowTolerance)) {
       if (points.empty()) {
         points.push_back(line[i]);
         open.push_back(false);
@@ -147,7 +147,7 @@ std::optional<Area> ground_shadow(const Occluders& occluders, const LightView& l
   const Paper& paper = light.camera.paper();
   const Box2 sheet{Vec2(0), Vec2(paper.width, paper.height)};
   const Partition parted =
-      partition(sheet, edges.get(), label_at, {.slack = kSlack, .rounds = 1}, context);
+      partition(sheet, edges.get(), label_at, {.slack = kShadowSlack, .rounds = 1}, context);
   const Placement down = onto_ground(to_light, lowest(occluders));
   Area shadow;
   for (const AreaRegion& region : parted.regions) {

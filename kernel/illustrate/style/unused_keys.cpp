@@ -14,7 +14,7 @@ namespace {
 using detail::KeyPlace;
 
 /// As rows call it: keys of the first kind of strokes have two names.
-std::string row_name(std::string_view key) {
+std::string row_of_key(std::string_view key) {
   const auto kind = detail::kind_key(key);
   if (!kind || kind->number > 1) return std::string(key);
   return kind->name.starts_with("tone.") ? kind->name : "hatch." + kind->name;
@@ -49,7 +49,7 @@ std::string said(const detail::KeyNeed& need, const KeyPlace& at) {
 
 std::string why_unused(std::string_view key, const Style& whole,
                        std::span<const PartStyle> part_styles, const KeySurroundings& around) {
-  const std::string name = row_name(key);
+  const std::string name = row_of_key(key);
   const std::vector<detail::StyleRow> rows = detail::all_rows_of(whole);
   const auto row = std::ranges::find(rows, name, &detail::StyleRow::name);
   if (row == rows.end()) return {};

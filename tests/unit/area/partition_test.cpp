@@ -19,7 +19,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const Box2 kSheet{Vec2(0), Vec2(100, 80)};
 
-std::vector<Vec2> circle(Vec2 center, double radius, int n) {
+std::vector<Vec2> circle_of(Vec2 center, double radius, int n) {
   std::vector<Vec2> out;
   for (int i = 0; i < n; ++i) {
     const double u = 2 * kPi * i / n;
@@ -71,7 +71,7 @@ TEST(Partition, OfASquareHasItsAreaAndNamesItsLineOnEverySide) {
 }
 
 TEST(Partition, OfARingHasAHole) {
-  const auto outer = circle({50, 40}, 30, 200), inner = circle({50, 40}, 12, 100);
+  const auto outer = circle_of({50, 40}, 30, 200), inner = circle_of({50, 40}, 12, 100);
   const std::vector<BorderLine> lines = {{outer, true, 0}, {inner, true, 1}};
   const Partition p = part(lines, [&](Vec2 at) {
     return AreaLabel{.part = holds(outer, at) && !holds(inner, at) ? 0 : -1};
@@ -99,7 +99,7 @@ TEST(Partition, OfALineWithAGapDoesNotLeak) {
 }
 
 TEST(Partition, FindsTheRestOfABorderWhereHalfTheLineIsMissing) {
-  const auto disk = circle({50, 40}, 20, 200);
+  const auto disk = circle_of({50, 40}, 20, 200);
   const auto label_at = [&](Vec2 at) { return AreaLabel{.part = holds(disk, at) ? 0 : -1}; };
   const std::vector<BorderLine> lines = {{std::span(disk).first(101), false, 0}};
   double last = 1e9;
@@ -237,7 +237,8 @@ struct CutLines {
 CutLines disks_cut_at_random(std::mt19937& random, double cut) {
   std::uniform_real_distribution<double> x(5, 95), y(5, 75);
   CutLines out;
-  for (int i = 0; i < 5; ++i) out.disks.push_back(circle({x(random), y(random)}, 6 + 3 * i, 120));
+  for (int i = 0; i < 5; ++i)
+    out.disks.push_back(circle_of({x(random), y(random)}, 6 + 3 * i, 120));
   for (const auto& disk : out.disks) {
     std::size_t begin = 0;
     while (begin < disk.size()) {
@@ -305,7 +306,7 @@ TEST(Partition, OfLinesCutAtRandomIsWrongAtTheGapsAlone) {
 }
 
 TEST(Partition, OutlinesOfSeveralRegionsAreThoseOfTheirUnion) {
-  const auto outer = circle({50, 40}, 30, 200), inner = circle({50, 40}, 12, 100);
+  const auto outer = circle_of({50, 40}, 30, 200), inner = circle_of({50, 40}, 12, 100);
   const std::vector<Vec2> across = {{50, 0}, {50, 80}};
   const std::vector<BorderLine> lines = {{outer, true, 0}, {inner, true, 1}, {across, false, 2}};
   const Partition p = part(lines, [&](Vec2 at) {
@@ -347,7 +348,7 @@ TEST(Partition, OutlinesOfSeveralRegionsAreThoseOfTheirUnion) {
 }
 
 TEST(Partition, IsTheSameForAnyNumberOfThreads) {
-  const auto disk = circle({40, 40}, 25, 300);
+  const auto disk = circle_of({40, 40}, 25, 300);
   const std::vector<BorderLine> lines = {{disk, true, 0}};
   const auto label_at = [&](Vec2 at) {
     return AreaLabel{.part = holds(disk, at) ? 0 : -1, .tone = at.x + 0.3 * at.y > 50 ? 1 : 0};

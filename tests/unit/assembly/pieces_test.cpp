@@ -17,7 +17,7 @@ namespace burin {
 namespace {
 
 /// board (one body), chip of three bodies twice, a lid of two.
-Scene scene() {
+Scene scene_of_pieces() {
   Scene s;
   const auto add = [&](std::string name, std::vector<std::string> assembly, int bodies) {
     Part part;
@@ -49,7 +49,7 @@ using Parts = std::vector<std::size_t>;
 TEST(Pieces, AreChosenByTheNameThatSomebodyGave) {
   for (const char* selector :
        {"lid/housing", "lid/solid 1", "/lid/hous*", "lid/solid 1 (housing)"}) {
-    Scene s = scene();
+    Scene s = scene_of_pieces();
     s.parts[3].pieces[0].name = piece_name("solid 1", "housing");
     EXPECT_EQ(split_pieces(s, Strings{selector}), (Parts{3})) << selector;
     EXPECT_EQ(path_of(s.parts[3]), "lid/solid 1 (housing)");
@@ -60,7 +60,7 @@ TEST(Pieces, AreChosenByTheNameThatSomebodyGave) {
 }
 
 TEST(Pieces, AreSplitWhereASelectorNamesOneByItsPath) {
-  Scene s = scene();
+  Scene s = scene_of_pieces();
   EXPECT_EQ(split_pieces(s, Strings{"chip/solid 2"}), (Parts{1, 1}));
   // The numbers of the other parts stay.
   EXPECT_EQ(paths(s), (Strings{"card/board", "card/chip/solid 1", "card/chip #2", "lid",
@@ -79,7 +79,7 @@ TEST(Pieces, PatternsOfPathsNameThemInAllPartsThatTheyLeadTo) {
   for (const auto& [selector, count] :
        {std::pair("*/solid 2", 9), std::pair("/card/chip*/solid ?", 8), std::pair("**/solid 3", 8),
         std::pair("/lid/*", 5), std::pair("lid/solid 2", 5)}) {
-    Scene s = scene();
+    Scene s = scene_of_pieces();
     split_pieces(s, Strings{selector});
     EXPECT_EQ(s.parts.size(), static_cast<std::size_t>(count)) << selector;
   }
@@ -89,14 +89,14 @@ TEST(Pieces, StayTogetherWhereASelectorLeadsToTheirPart) {
   // Names of one level are those of parts: else "*2" would mean bodies of all parts.
   for (const char* selector : {"chip", "*", "card/*", "card/**", "solid 2", "*2", "@index=1", "/",
                                "", "chip/solid 7", "board/solid 1"}) {
-    Scene s = scene();
+    Scene s = scene_of_pieces();
     EXPECT_TRUE(split_pieces(s, Strings{selector}).empty()) << selector;
     EXPECT_EQ(s.parts.size(), 4u) << selector;
   }
 }
 
 TEST(Pieces, OfGlassAndMetalAreSplitWhereThatIsAskedFor) {
-  Scene s = scene();
+  Scene s = scene_of_pieces();
   s.parts[1].pieces[1].opacity = 0.25;
   for (Piece& piece : s.parts[3].pieces) piece.opacity = 0.5;
   Scene same = s;
@@ -112,7 +112,7 @@ TEST(Pieces, OfGlassAndMetalAreSplitWhereThatIsAskedFor) {
 }
 
 TEST(Pieces, OfOnePartAreOneItem) {
-  Scene s = scene();
+  Scene s = scene_of_pieces();
   for (std::size_t i = 0; i < s.parts.size(); ++i) {
     const double size = 1 + static_cast<double>(i);
     s.parts[i].form = std::make_shared<MeshForm>(test::box({0, 0, 0}, {size, 2, 3}));
@@ -130,7 +130,7 @@ TEST(Pieces, OfOnePartAreOneItem) {
 
 TEST(Pieces, AreNamedWhereASelectorFindsNothing) {
   try {
-    select(scene(), "chip/solid 7");
+    select(scene_of_pieces(), "chip/solid 7");
     ADD_FAILURE();
   } catch (const UsageError& e) {
     EXPECT_NE(std::string(e.what()).find("chip/solid"), std::string::npos) << e.what();

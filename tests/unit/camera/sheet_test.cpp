@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<Vec3>;
 
-Camera::ExtentFn extent_of(const Points& points) {
+Camera::ExtentFn extent_of_points(const Points& points) {
   return [points](const Mat3& axes) {
     Box3 box;
     for (const Vec3& p : points) box.add(axes * p);
@@ -25,7 +25,7 @@ Points block(Vec3 size, Vec3 at = Vec3(0)) {
   return out;
 }
 
-ViewOptions view(std::string_view name) {
+ViewOptions sheet_view(std::string_view name) {
   const NamedView v = named_view(name);
   return {.direction = v.direction, .up = v.up};
 }
@@ -36,7 +36,7 @@ struct Shown {
   Box2 box;
 };
 Shown shown(const Points& points, const ViewOptions& view, const SheetOptions& sheet) {
-  const auto extent = extent_of(points);
+  const auto extent = extent_of_points(points);
   Shown out{Camera::fit(extent, settle(extent, view, sheet)), {}};
   for (const Vec3& p : points) out.box.add(out.camera.to_paper(p));
   return out;
@@ -54,8 +54,9 @@ TEST(Sheet, NamesAreTakenInAnyCase) {
 }
 
 TEST(Sheet, AnEvenMarginAndAPaperChangeNothing) {
-  const ViewOptions asked = view("iso");
-  const ViewOptions settled = settle(extent_of(block(Vec3(10))), asked, {.margin = Margin(7)});
+  const ViewOptions asked = sheet_view("iso");
+  const ViewOptions settled =
+      settle(extent_of_points(block(Vec3(10))), asked, {.margin = Margin(7)});
   EXPECT_EQ(settled.margin, 7);
   EXPECT_FALSE(settled.scale);
   EXPECT_FALSE(settled.center);
@@ -63,26 +64,26 @@ TEST(Sheet, AnEvenMarginAndAPaperChangeNothing) {
 
 TEST(Sheet, EachSideKeepsItsMargin) {
   const SheetOptions sheet{.margin = Margin(30, 5, 20, 60)};
-  const Shown wide = shown(block({100, 1, 10}), view("front"), sheet);
+  const Shown wide = shown(block({100, 1, 10}), sheet_view("front"), sheet);
   EXPECT_NEAR(wide.box.min.x, 60, 1e-9);
   EXPECT_NEAR(wide.box.max.x, 297 - 5, 1e-9);
   EXPECT_NEAR(wide.box.center().y, (20 + 210 - 30) / 2.0, 1e-9);
-  const Shown tall = shown(block({10, 1, 100}), view("front"), sheet);
+  const Shown tall = shown(block({10, 1, 100}), sheet_view("front"), sheet);
   EXPECT_NEAR(tall.box.min.y, 20, 1e-9);
   EXPECT_NEAR(tall.box.max.y, 210 - 30, 1e-9);
   // With a scale of its own the drawing stands in the middle of what is left.
-  ViewOptions scaled = view("front");
+  ViewOptions scaled = sheet_view("front");
   scaled.scale = 0.5;
   const Shown small = shown(block({100, 1, 10}), scaled, sheet);
   EXPECT_NEAR(small.box.size().x, 50, 1e-9);
   EXPECT_NEAR(small.box.center().x, (60 + 297 - 5) / 2.0, 1e-9);
-  ViewOptions deep = view("iso");
+  ViewOptions deep = sheet_view("iso");
   deep.perspective = 30;
   EXPECT_THROW(shown(block(Vec3(10)), deep, sheet), UsageError);
 }
 
 TEST(Sheet, FitsTheDrawingAndItsMargin) {
-  ViewOptions asked = view("front");
+  ViewOptions asked = sheet_view("front");
   asked.scale = 2;
   const Shown s =
       shown(block({100, 1, 30}, {5, 6, 7}), asked, {.margin = Margin(1, 2, 3, 4), .fits = true});
@@ -97,7 +98,7 @@ TEST(Sheet, FitsTheDrawingAndItsMargin) {
 }
 
 TEST(Sheet, FitsAPerspectiveDrawing) {
-  ViewOptions asked = view("1,-2,0.7");
+  ViewOptions asked = sheet_view("1,-2,0.7");
   asked.perspective = 50;
   for (const double scale : {1.0, 3.0}) {
     asked.scale = scale;
@@ -115,7 +116,7 @@ TEST(Sheet, FitsAPerspectiveDrawing) {
 
 TEST(Sheet, SaysWhatScaleASheetThatFitsTakes) {
   try {
-    shown(block(Vec3(30000)), view("front"), {.fits = true});
+    shown(block(Vec3(30000)), sheet_view("front"), {.fits = true});
     FAIL();
   } catch (const UsageError& e) {
     EXPECT_NE(std::string(e.what()).find("30020 x 30020 mm"), std::string::npos) << e.what();

@@ -11,7 +11,7 @@ namespace {
 const Box2 kFrame{{10, 10}, {410, 287}};
 
 /// A block of 60 x 40 x 20 mm.
-std::vector<GridView> block(std::vector<std::string> names) {
+std::vector<GridView> block_of(std::vector<std::string> names) {
   std::vector<GridView> views;
   for (std::string& name : names) {
     const Vec2 size = name == "front" || name == "back"   ? Vec2(60, 20)
@@ -24,7 +24,7 @@ std::vector<GridView> block(std::vector<std::string> names) {
 }
 
 TEST(ViewGrid, FirstAnglePutsTheViewFromTheLeftToTheRightAndThatFromAboveBelow) {
-  const auto views = block({"front", "top", "left", "right", "bottom", "back"});
+  const auto views = block_of({"front", "top", "left", "right", "bottom", "back"});
   const ViewGrid g = arrange_views(views, ProjectionMethod::FirstAngle, kFrame, 12, {});
   const auto at = [&](std::size_t i) { return g.boxes[i].center(); };
   EXPECT_LT(at(1).y, at(0).y);
@@ -39,7 +39,7 @@ TEST(ViewGrid, FirstAnglePutsTheViewFromTheLeftToTheRightAndThatFromAboveBelow) 
 }
 
 TEST(ViewGrid, RowsAndColumnsHaveOneMiddleAndNothingOverlaps) {
-  const auto views = block({"front", "top", "left", "iso", "dimetric"});
+  const auto views = block_of({"front", "top", "left", "iso", "dimetric"});
   for (const auto method : {ProjectionMethod::FirstAngle, ProjectionMethod::ThirdAngle}) {
     const ViewGrid g = arrange_views(views, method, kFrame, 12, {});
     EXPECT_DOUBLE_EQ(g.boxes[0].center().x, g.boxes[1].center().x);
@@ -55,7 +55,7 @@ TEST(ViewGrid, RowsAndColumnsHaveOneMiddleAndNothingOverlaps) {
 }
 
 TEST(ViewGrid, FillsTheFrameAndNoMore) {
-  auto views = block({"front", "top", "left", "iso"});
+  auto views = block_of({"front", "top", "left", "iso"});
   views[3].room = {25, 5};
   const ViewGrid g = arrange_views(views, ProjectionMethod::FirstAngle, kFrame, 12, {});
   const Vec2 left = kFrame.size() - g.box.size();
@@ -68,14 +68,15 @@ TEST(ViewGrid, FillsTheFrameAndNoMore) {
 }
 
 TEST(ViewGrid, EmptyLanesTakeNoRoom) {
-  const ViewGrid one = arrange_views(block({"iso"}), ProjectionMethod::FirstAngle, kFrame, 12, {});
+  const ViewGrid one =
+      arrange_views(block_of({"iso"}), ProjectionMethod::FirstAngle, kFrame, 12, {});
   EXPECT_LT(glm::distance(one.boxes[0].center(), kFrame.center()), 1e-9);
   EXPECT_NEAR(one.scale, std::min(400.0 / 70, 277.0 / 60), 1e-9);
 }
 
 TEST(ViewGrid, WithoutAViewFromAbovePictorialOnesStandBesideTheFront) {
   for (const auto method : {ProjectionMethod::FirstAngle, ProjectionMethod::ThirdAngle}) {
-    const ViewGrid g = arrange_views(block({"iso", "front", "left"}), method, kFrame, 12, {});
+    const ViewGrid g = arrange_views(block_of({"iso", "front", "left"}), method, kFrame, 12, {});
     EXPECT_DOUBLE_EQ(g.boxes[0].center().y, g.boxes[1].center().y);
     EXPECT_GT(g.boxes[0].min.x, std::max(g.boxes[1].max.x, g.boxes[2].max.x));
   }
@@ -83,9 +84,9 @@ TEST(ViewGrid, WithoutAViewFromAbovePictorialOnesStandBesideTheFront) {
 
 TEST(ViewGrid, RefusesWhatHasNoRoomOrNoExtent) {
   const Box2 tiny{{0, 0}, {20, 20}};
-  EXPECT_THROW(
-      arrange_views(block({"front", "left", "right"}), ProjectionMethod::FirstAngle, tiny, 12, {}),
-      UsageError);
+  EXPECT_THROW(arrange_views(block_of({"front", "left", "right"}), ProjectionMethod::FirstAngle,
+                             tiny, 12, {}),
+               UsageError);
   const std::vector<GridView> point{{"front", Vec2(0), Vec2(0)}};
   EXPECT_THROW(arrange_views(point, ProjectionMethod::FirstAngle, kFrame, 12, {}), GeometryError);
 }

@@ -9,7 +9,7 @@
 namespace burin::test {
 namespace {
 
-const Vec3 kUnit(1, 2, 3);
+const Vec3 kUnitBox(1, 2, 3);
 const std::string kLinkExtension = "App::LinkExtensionPython";
 
 std::map<std::string, std::size_t> items(const Scene& scene) {
@@ -25,7 +25,7 @@ using Items = std::map<std::string, std::size_t>;
 
 TEST_F(FcstdTest, LinksAreOfOneItemWithWhatTheyLinkTo) {
   Document d;
-  d.add_shape("chip", located_box(kUnit, {}), label("chip"));
+  d.add_shape("chip", located_box(kUnitBox, {}), label("chip"));
   d.add("App::Link", "L0", linked("chip") + label("chip2") + placed({5, 0, 0}));
   d.add("App::Link", "L1", linked("L0") + label("left one") + placed({9, 0, 0}));
   const Scene scene = read(d);
@@ -35,7 +35,7 @@ TEST_F(FcstdTest, LinksAreOfOneItemWithWhatTheyLinkTo) {
 
 TEST_F(FcstdTest, ArraysOfDraftAreLinks) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {50, 0, 0}), label("Klotz") + placed({50, 0, 0}));
+  d.add_shape("Box", located_box(kUnitBox, {50, 0, 0}), label("Klotz") + placed({50, 0, 0}));
   d.members.emplace_back("Places", place_list({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}));
   d.add("Part::FeaturePython", "Array",
         label("Reihe") + link_property("Base", "Box") + integer("Count", 3) +
@@ -51,7 +51,7 @@ TEST_F(FcstdTest, ArraysOfDraftAreLinks) {
 
 TEST_F(FcstdTest, ExpandedArraysOfDraftAreTheirElements) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitBox, {}));
   d.add("Part::FeaturePython", "Array",
         link_property("Base", "Box") + integer("Count", 2) +
             link_list("ElementList", {"Array_i0", "Array_i1"}) + placed({0, 0, 7}),
@@ -67,7 +67,7 @@ TEST_F(FcstdTest, ExpandedArraysOfDraftAreTheirElements) {
 
 TEST_F(FcstdTest, PythonObjectsWithAShapeThatDoNotLinkKeepIt) {
   Document d;
-  d.members.emplace_back("Own.brp", brep_text(located_box(kUnit, {})));
+  d.members.emplace_back("Own.brp", brep_text(located_box(kUnitBox, {})));
   d.add("Part::FeaturePython", "Gear", property("Shape", "<Part file=\"Own.brp\"/>"),
         kLinkExtension);
   d.add("Part::FeaturePython", "Lost", link_property("Base", ""), kLinkExtension);
@@ -91,8 +91,8 @@ TEST_F(FcstdTest, GroupsOfAssembly3ShowTheirPartsAlone) {
         group({"Box", "Off"}) + hidden() + text_property("VisibilityList", "01") +
             proxy("freecad.asm3.assembly", "AsmPartGroup"),
         base);
-  d.add_shape("Box", located_box(kUnit, {}), label("Cover"));
-  d.add_shape("Off", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitBox, {}), label("Cover"));
+  d.add_shape("Off", located_box(kUnitBox, {}));
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), Paths{"Pump/Parts/Cover"});
   expect_box(scene.parts[0], {0, 0, 5}, {1, 2, 8});
@@ -102,7 +102,7 @@ TEST_F(FcstdTest, GroupsOfAssembly3ShowTheirPartsAlone) {
 TEST_F(FcstdTest, ContainersNameWhatFreecadCalledItself) {
   Document d;
   d.add("App::Part", "Part", label("Bearing cap") + group({"Body"}));
-  d.add_shape("Body", located_box(kUnit, {}), label("Body"), "PartDesign::Body");
+  d.add_shape("Body", located_box(kUnitBox, {}), label("Body"), "PartDesign::Body");
   d.add("App::Part", "Part001", label("Part001") + group({"Cut"}));
   d.add_shape("Cut", located_box({4, 2, 3}, {}), label("Cut"), "Part::Cut");
   d.add("App::Part", "Part002", label("Drive") + group({"Body001", "Body002"}));
@@ -119,7 +119,7 @@ TEST_F(FcstdTest, ContainersNameWhatFreecadCalledItself) {
 
 TEST_F(FcstdTest, LinksGiveOneNameToAllOfAThing) {
   Document d;
-  d.add_shape("Body", located_box(kUnit, {}), label("Body"), "PartDesign::Body");
+  d.add_shape("Body", located_box(kUnitBox, {}), label("Body"), "PartDesign::Body");
   d.add("App::Link", "L0", linked("Body") + label("Foot") + placed({5, 0, 0}));
   d.add("App::Link", "L1", linked("Body") + label("Foot001") + placed({9, 0, 0}));
   EXPECT_EQ(items(read(d)), (Items{{"Foot", 3}}));
@@ -129,7 +129,7 @@ TEST_F(FcstdTest, LinksGiveOneNameToAllOfAThing) {
 
 TEST_F(FcstdTest, LinksNameBodiesThatNobodyNamed) {
   Document other;
-  other.add_shape("Body", located_box(kUnit, {}), label("Body"), "PartDesign::Body");
+  other.add_shape("Body", located_box(kUnitBox, {}), label("Body"), "PartDesign::Body");
   folder_.write("bearing.FCStd", other.bytes());
   Document d;
   d.add_shape("Body", located_box({4, 2, 3}, {}), label("Body") + hidden(), "PartDesign::Body");
@@ -155,8 +155,8 @@ TEST_F(FcstdTest, CopiesJoinWhatTheyAreCopiesOfWhereTheyLookTheSame) {
     return BRepBuilderAPI_Transform(shape, t, true).Shape();
   };
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}), label("Klotz"));
-  d.add_shape("M1", mirrored(located_box(kUnit, {})),
+  d.add_shape("Box", located_box(kUnitBox, {}), label("Klotz"));
+  d.add_shape("M1", mirrored(located_box(kUnitBox, {})),
               label("Spiegel") + link_property("Source", "Box"), "Part::Mirroring");
   d.add_shape("Hook", bent(), label("Haken"));
   d.add_shape("M2", mirrored(bent()), label("Haken links") + link_property("Source", "Hook"),
@@ -173,7 +173,7 @@ TEST_F(FcstdTest, CopiesJoinWhatTheyAreCopiesOfWhereTheyLookTheSame) {
 
 TEST_F(FcstdTest, WhatIsSeenAndNotDrawnIsToldByName) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitBox, {}));
   d.add_shape("Wire", BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(9, 0, 0)).Shape());
   d.add("Points::Feature", "Cloud", placed({}));
   d.add("Fem::FemMeshObject", "FemMesh", placed({}));
@@ -181,7 +181,7 @@ TEST_F(FcstdTest, WhatIsSeenAndNotDrawnIsToldByName) {
   d.add("Some::Thing", "Thing", placed({}));
   d.members.emplace_back("Empty.brp", "");
   d.add("Part::Fillet", "Fillet", property("Shape", "<Part file=\"Empty.brp\"/>") + placed({}));
-  d.add_shape("Binder", located_box(kUnit, {}), "", "PartDesign::SubShapeBinder");
+  d.add_shape("Binder", located_box(kUnitBox, {}), "", "PartDesign::SubShapeBinder");
   d.add("PartDesign::Body", "Leer", placed({}));
   // Nowhere to be seen:
   d.add("Spreadsheet::Sheet", "Sheet", label("my sheet of numbers"));
@@ -206,15 +206,15 @@ TEST_F(FcstdTest, OnlyWhatIsDrawnIsNumbered) {
   Document d;
   d.members.emplace_back("Empty.brp", "");
   d.add("Part::Fillet", "A", property("Shape", "<Part file=\"Empty.brp\"/>") + label("Lid"));
-  d.add_shape("B", located_box(kUnit, {}), label("Lid"));
+  d.add_shape("B", located_box(kUnitBox, {}), label("Lid"));
   EXPECT_EQ(paths(read(d)), Paths{"Lid"});
-  d.add_shape("C", located_box(kUnit, {5, 0, 0}), label("Lid"));
+  d.add_shape("C", located_box(kUnitBox, {5, 0, 0}), label("Lid"));
   EXPECT_EQ(paths(read(d)), (Paths{"Lid", "Lid #2"}));
 }
 
 TEST_F(FcstdTest, ALinkToAFaceSaysThatAllIsDrawn) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitBox, {}));
   d.add("App::Link", "Face", linked("Box", "", "Face1"));
   const Scene scene = read(d);
   EXPECT_EQ(scene.parts.size(), 2u);
@@ -223,7 +223,7 @@ TEST_F(FcstdTest, ALinkToAFaceSaysThatAllIsDrawn) {
 
 TEST_F(FcstdTest, AMissingFileIsOneLine) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitBox, {}));
   for (const char* name : {"A", "B", "C"}) d.add("App::Link", name, linked("X", "gone.FCStd"));
   const Scene scene = read(d);
   EXPECT_TRUE(has(scene, "fcstd.missing_file", "'A', 'B', 'C'"));

@@ -4,13 +4,13 @@
 namespace burin::test {
 namespace {
 
-const Vec3 kUnit(1, 2, 3);
+const Vec3 kUnitOfTree(1, 2, 3);
 
 TEST_F(FcstdTest, ShapesKeepLabelPlaceAndVisibility) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {10, 20, 30}),
+  d.add_shape("Box", located_box(kUnitOfTree, {10, 20, 30}),
               text_property("Label", "A &amp; B") + placed({10, 20, 30}));
-  d.add_shape("Hidden", located_box(kUnit, {}), hidden());
+  d.add_shape("Hidden", located_box(kUnitOfTree, {}), hidden());
   d.add("Sketcher::SketchObject", "Sketch");
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), Paths{"A & B"});
@@ -22,7 +22,7 @@ TEST_F(FcstdTest, ShapesKeepLabelPlaceAndVisibility) {
 
 TEST_F(FcstdTest, ALabelOfBlanksLeavesTheName) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}), text_property("Label", "   "));
+  d.add_shape("Box", located_box(kUnitOfTree, {}), text_property("Label", "   "));
   EXPECT_EQ(paths(read(d)), Paths{"Box"});
 }
 
@@ -32,11 +32,11 @@ TEST_F(FcstdTest, PartsPlaceTheirMembersAndGroupsDoNot) {
         text_property("Label", "Motor") + group({"Sub", "Folder"}) +
             placed({100, 0, 0}, "Placement", {0, 0, 1}, 90));
   d.add("App::Part", "Sub", group({"Box"}) + placed({0, 0, 50}));
-  d.add_shape("Box", located_box(kUnit, {5, 0, 0}), placed({5, 0, 0}));
+  d.add_shape("Box", located_box(kUnitOfTree, {5, 0, 0}), placed({5, 0, 0}));
   d.add("App::DocumentObjectGroup", "Folder", group({"Other"}) + placed({7, 7, 7}) + hidden());
-  d.add_shape("Other", located_box(kUnit, {}));
+  d.add_shape("Other", located_box(kUnitOfTree, {}));
   d.add("App::Part", "Off", group({"Inside"}) + hidden());
-  d.add_shape("Inside", located_box(kUnit, {}));
+  d.add_shape("Inside", located_box(kUnitOfTree, {}));
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), (Paths{"Motor/Sub/Box", "Motor/Folder/Other"}));
   // Turned by 90 degrees about z: (x, y) goes to (-y, x).
@@ -50,12 +50,12 @@ TEST_F(FcstdTest, ABodyIsItsOwnShapeOrThatOfItsTip) {
     const std::string properties = group({"Pad", "Pocket", "Plane"}) +
                                    property("Tip", "<Link value=\"Pocket\"/>") + placed({0, 9, 0});
     if (own) {
-      d.add_shape("Body", located_box(kUnit, {0, 9, 0}), properties, "PartDesign::Body");
+      d.add_shape("Body", located_box(kUnitOfTree, {0, 9, 0}), properties, "PartDesign::Body");
     } else {
       d.add("PartDesign::Body", "Body", properties);
     }
     d.add_shape("Pad", located_box({8, 8, 8}, {}), "", "PartDesign::Pad");
-    d.add_shape("Pocket", located_box(kUnit, {}), "", "PartDesign::Pocket");
+    d.add_shape("Pocket", located_box(kUnitOfTree, {}), "", "PartDesign::Pocket");
     d.add_shape("Plane", located_box({99, 99, 99}, {}), "", "PartDesign::Plane");
     return read(d);
   };
@@ -68,7 +68,7 @@ TEST_F(FcstdTest, ABodyIsItsOwnShapeOrThatOfItsTip) {
 
 TEST_F(FcstdTest, LinksStandWhereTheySay) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {10, 0, 0}), placed({10, 0, 0}) + hidden());
+  d.add_shape("Box", located_box(kUnitOfTree, {10, 0, 0}), placed({10, 0, 0}) + hidden());
   d.add("App::Link", "Plain", linked("Box") + placed({0, 0, 100}));
   d.add("App::Link", "With",
         linked("Box") + placed({0, 0, 200}) + text_property("LinkTransform", "true"));
@@ -92,7 +92,7 @@ TEST_F(FcstdTest, LinksStandWhereTheySay) {
 
 TEST_F(FcstdTest, LinksThatFlattenAreLeftOutByName) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitOfTree, {}));
   d.add("App::Link", "Flat", linked("Box") + scaled({1, 1, 0}));
   const Scene scene = read(d);
   EXPECT_EQ(paths(scene), Paths{"Box"});
@@ -103,7 +103,7 @@ TEST_F(FcstdTest, LinksToPartsTakeTheirNameAndLeaveTheirPlace) {
   Document d;
   d.add("App::Part", "Asm", group({"Sub"}) + placed({50, 0, 0}));
   d.add("App::Part", "Sub", group({"Box"}) + placed({0, 5, 0}));
-  d.add_shape("Box", located_box(kUnit, {0, 0, 7}), placed({0, 0, 7}));
+  d.add_shape("Box", located_box(kUnitOfTree, {0, 0, 7}), placed({0, 0, 7}));
   d.add("App::Link", "Copy", linked("Asm") + placed({0, 100, 0}));
   d.add("App::Link", "Inner", linked("Asm", "", "Sub.Box.") + placed({0, 200, 0}));
   const Scene scene = read(d);
@@ -115,7 +115,7 @@ TEST_F(FcstdTest, LinksToPartsTakeTheirNameAndLeaveTheirPlace) {
 
 TEST_F(FcstdTest, ArraysOfLinks) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {10, 0, 0}), placed({10, 0, 0}) + hidden());
+  d.add_shape("Box", located_box(kUnitOfTree, {10, 0, 0}), placed({10, 0, 0}) + hidden());
   std::string list;
   put<std::uint32_t>(list, 3);
   for (int i = 0; i < 3; ++i) {
@@ -145,8 +145,8 @@ TEST_F(FcstdTest, GroupsOfLinksHideByTheirOwnList) {
   d.add("App::LinkGroup", "Set",
         link_list("ElementList", {"A", "B"}) + placed({0, 0, 5}) +
             property("VisibilityList", "<BoolList value=\"01\"/>"));
-  d.add_shape("A", located_box(kUnit, {}), hidden());
-  d.add_shape("B", located_box(kUnit, {}));
+  d.add_shape("A", located_box(kUnitOfTree, {}), hidden());
+  d.add_shape("B", located_box(kUnitOfTree, {}));
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), Paths{"Set/A"});
   expect_box(scene.parts[0], {0, 0, 5}, {1, 2, 8});
@@ -154,7 +154,7 @@ TEST_F(FcstdTest, GroupsOfLinksHideByTheirOwnList) {
 
 TEST_F(FcstdTest, LinksIntoOtherDocuments) {
   Document other;
-  other.add_shape("Box", located_box(kUnit, {10, 0, 0}), placed({10, 0, 0}));
+  other.add_shape("Box", located_box(kUnitOfTree, {10, 0, 0}), placed({10, 0, 0}));
   folder_.write("other.FCStd", other.bytes());
   Document d;
   d.add("App::Link", "Here", linked("Box", "other.FCStd") + placed({0, 3, 0}));
@@ -191,7 +191,7 @@ TEST_F(FcstdTest, MeshesStandAtTheirPlacement) {
 
 TEST_F(FcstdTest, InfoMeasuresAndNamesInstances) {
   Document d;
-  d.add_shape("Box", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitOfTree, {}));
   d.add("App::Link", "L", linked("Box") + placed({9, 0, 0}));
   folder_.write("a.FCStd", d.bytes());
   RunContext context;
@@ -206,8 +206,8 @@ TEST_F(FcstdTest, InfoMeasuresAndNamesInstances) {
 TEST_F(FcstdTest, ObjectsAreChosenByNameOrLabel) {
   Document d;
   d.add("App::Part", "Asm", group({"Box"}) + placed({100, 0, 0}) + hidden());
-  d.add_shape("Box", located_box(kUnit, {}), text_property("Label", "Cover") + hidden());
-  d.add_shape("Other", located_box(kUnit, {}));
+  d.add_shape("Box", located_box(kUnitOfTree, {}), text_property("Label", "Cover") + hidden());
+  d.add_shape("Other", located_box(kUnitOfTree, {}));
   for (const char* name : {"Box", "Cover"}) {
     const Scene scene = read(d, {.objects = {name}});
     ASSERT_EQ(paths(scene), Paths{"Asm/Cover"});

@@ -10,7 +10,7 @@ namespace {
 
 using test::square;
 
-std::string object(const std::string& name, const std::string& inside) {
+std::string part_object(const std::string& name, const std::string& inside) {
   return "[OBJECT " + name + "\n" + inside + "]\n";
 }
 
@@ -24,8 +24,8 @@ std::vector<std::string> names(const Scene& scene) {
 }
 
 TEST(IritParts, NamedObjectsApartAreParts) {
-  const Scene scene = test::scene_of(object("A", square({0, 0, 0}) + square({1, 0, 0})) +
-                                     object("B", square({9, 0, 0})));
+  const Scene scene = test::scene_of(part_object("A", square({0, 0, 0}) + square({1, 0, 0})) +
+                                     part_object("B", square({9, 0, 0})));
   EXPECT_EQ(names(scene), (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(test::patches_of(scene.parts[0]).size(), 2u);
   EXPECT_TRUE(scene.diagnostics.empty());
@@ -33,30 +33,30 @@ TEST(IritParts, NamedObjectsApartAreParts) {
 
 TEST(IritParts, ObjectsWithoutNamesAreOnePart) {
   const Scene scene =
-      test::scene_of(object("NONE", square({0, 0, 0})) + object("B", square({5, 0, 0})) +
-                     object("NONE", square({9, 0, 0})));
+      test::scene_of(part_object("NONE", square({0, 0, 0})) + part_object("B", square({5, 0, 0})) +
+                     part_object("NONE", square({9, 0, 0})));
   EXPECT_EQ(names(scene), (std::vector<std::string>{"file", "B"}));
   EXPECT_EQ(test::patches_of(scene.parts[0]).size(), 2u);
 }
 
 TEST(IritParts, SidesThatFitMakeOnePart) {
   // A2 lies beside A1, with six digits; C touches A1 at a corner alone.
-  const std::string list = object("A1", square({0, 0, 0})) +
-                           object("A2", square({1 + 1e-6, 0, 0})) +
-                           object("C", square({-1, -1, 0}));
-  const Scene scene = test::scene_of(object("VASE", list));
+  const std::string list = part_object("A1", square({0, 0, 0})) +
+                           part_object("A2", square({1 + 1e-6, 0, 0})) +
+                           part_object("C", square({-1, -1, 0}));
+  const Scene scene = test::scene_of(part_object("VASE", list));
   EXPECT_EQ(names(scene), (std::vector<std::string>{"A1", "C"}));
   EXPECT_EQ(test::patches_of(scene.parts[0]).size(), 2u);
   EXPECT_EQ(scene.parts[0].assembly, std::vector<std::string>{"VASE"});
-  const Scene whole = test::scene_of(
-      object("VASE", object("A1", square({0, 0, 0})) + object("A2", square({0, 1, 0}))));
+  const Scene whole = test::scene_of(part_object(
+      "VASE", part_object("A1", square({0, 0, 0})) + part_object("A2", square({0, 1, 0}))));
   EXPECT_EQ(names(whole), std::vector<std::string>{"VASE"});
   EXPECT_TRUE(whole.parts[0].assembly.empty());
 }
 
 TEST(IritParts, AStripIsTheTrianglesOfItsPoints) {
   // Round a tetrahedron: its four faces, which close.
-  const Scene scene = test::scene_of(object(
+  const Scene scene = test::scene_of(part_object(
       "TET", "[POLYSTRIP 6 [0 0 0] [1 0 0] [0 1 0] [0 0 1] [[NORMAL 1 0 0] 0 0 0] [1 0 0]]\n"));
   ASSERT_EQ(names(scene), std::vector<std::string>{"TET"});
   RunContext context;
@@ -67,11 +67,11 @@ TEST(IritParts, AStripIsTheTrianglesOfItsPoints) {
 }
 
 TEST(IritParts, Colours) {
-  const Scene scene =
-      test::scene_of(object("[COLOR 4] A", square({0, 0, 0})) +
-                     object("[RGB \"1,16,255\"] [COLOR 4] B", square({3, 0, 0})) +
-                     object("[COLOR 14] L", object("C", square({6, 0, 0}))) +
-                     object("D", square({9, 0, 0})) + object("[COLOR 99] E", square({12, 0, 0})));
+  const Scene scene = test::scene_of(
+      part_object("[COLOR 4] A", square({0, 0, 0})) +
+      part_object("[RGB \"1,16,255\"] [COLOR 4] B", square({3, 0, 0})) +
+      part_object("[COLOR 14] L", part_object("C", square({6, 0, 0}))) +
+      part_object("D", square({9, 0, 0})) + part_object("[COLOR 99] E", square({12, 0, 0})));
   ASSERT_EQ(scene.parts.size(), 5u);
   EXPECT_EQ(scene.parts[0].color, "#aa0000");
   EXPECT_EQ(scene.parts[1].color, "#0110ff");
@@ -82,9 +82,9 @@ TEST(IritParts, Colours) {
 
 TEST(IritParts, PolygonsBecomeMeshes) {
   const Scene scene = test::scene_of(
-      object("TETRA",
-             "[POLYGON 3 [0 0 0] [0 1 0] [1 0 0]] [POLYGON 3 [0 0 0] [1 0 0] [0 0 1]]\n"
-             "[POLYGON 3 [0 0 0] [0 0 1] [0 1 0]] [POLYGON 3 [1 0 0] [0 1 0] [0 0 1]]\n"));
+      part_object("TETRA",
+                  "[POLYGON 3 [0 0 0] [0 1 0] [1 0 0]] [POLYGON 3 [0 0 0] [1 0 0] [0 0 1]]\n"
+                  "[POLYGON 3 [0 0 0] [0 0 1] [0 1 0]] [POLYGON 3 [1 0 0] [0 1 0] [0 0 1]]\n"));
   ASSERT_EQ(scene.parts.size(), 1u);
   EXPECT_EQ(scene.parts[0].name, "TETRA");
   const TriMesh& mesh = dynamic_cast<const MeshForm&>(*scene.parts[0].form).mesh();
@@ -93,11 +93,13 @@ TEST(IritParts, PolygonsBecomeMeshes) {
 }
 
 TEST(IritParts, WhatIsLeftOutIsTold) {
-  const Scene scene = test::scene_of(
-      object("A", square({0, 0, 0})) + object("T", "[TRISRF " + square({0, 0, 0}) + "[TRIMCRV]]") +
-      object("U", "[TRISRF " + square({0, 0, 0}) + "]") +
-      object("C", "[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]") +
-      object("P", "[POLYGON 2 [0 0 0] [1 0 0]]") + object("[INVISIBLE 1] I", square({0, 0, 9})));
+  const Scene scene =
+      test::scene_of(part_object("A", square({0, 0, 0})) +
+                     part_object("T", "[TRISRF " + square({0, 0, 0}) + "[TRIMCRV]]") +
+                     part_object("U", "[TRISRF " + square({0, 0, 0}) + "]") +
+                     part_object("C", "[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]") +
+                     part_object("P", "[POLYGON 2 [0 0 0] [1 0 0]]") +
+                     part_object("[INVISIBLE 1] I", square({0, 0, 9})));
   EXPECT_EQ(names(scene), std::vector<std::string>{"A"});
   const auto& reported = scene.diagnostics.entries();
   ASSERT_EQ(reported.size(), 4u);

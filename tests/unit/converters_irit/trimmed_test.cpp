@@ -15,7 +15,7 @@ using test::expect_error;
 /// Of `burin info`, as kernel/docs/spline_files.md says.
 constexpr double kArea = 1e-6;
 
-PartInfo info_of(const std::string& bytes, std::size_t part = 0, std::size_t parts = 1) {
+PartInfo info_of_part(const std::string& bytes, std::size_t part = 0, std::size_t parts = 1) {
   const test::TempFile file("a.itd", bytes);
   RunContext context;
   const FileInfo info = inspect_irit(file.path(), context);
@@ -23,7 +23,7 @@ PartInfo info_of(const std::string& bytes, std::size_t part = 0, std::size_t par
   return info.parts.at(part);
 }
 
-std::string object(const std::string& name, const std::string& inside) {
+std::string trimmed_object(const std::string& name, const std::string& inside) {
   return "[OBJECT " + name + "\n" + inside + "]\n";
 }
 std::string trimmed(const std::string& surface, const std::string& loops) {
@@ -60,7 +60,7 @@ std::string line(Vec2 a, Vec2 b) {
 }
 
 /// An arc of the cylinder of radius 1 about z, up to 1, in quarters.
-std::string cylinder(int from, int quarters) {
+std::string trimmed_cylinder(int from, int quarters) {
   std::string knots, points;
   for (int k = 0; k <= quarters; ++k) knots += fmt::format(" {0} {0}", k);
   for (int z = 0; z < 2; ++z) {
@@ -74,8 +74,8 @@ std::string cylinder(int from, int quarters) {
 }
 
 TEST(IritTrimmed, ACircleOfAPlane) {
-  const std::string bytes = object("DISC", trimmed(kSquare, circle(0.5, 0.5, 0.3)));
-  const PartInfo info = info_of(bytes);
+  const std::string bytes = trimmed_object("DISC", trimmed(kSquare, circle(0.5, 0.5, 0.3)));
+  const PartInfo info = info_of_part(bytes);
   EXPECT_EQ(info.name, "DISC");
   EXPECT_EQ(info.faces, 1);
   EXPECT_EQ(info.edges, 1);
@@ -105,7 +105,8 @@ TEST(IritTrimmed, ACircleOfAPlane) {
 TEST(IritTrimmed, HolesAndIslandsWhicheverWayTheyTurn) {
   const std::string border = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   for (const int turn : {1, -1}) {
-    const PartInfo hole = info_of(object("H", trimmed(kSquare, border + circle(.5, .5, .4, turn))));
+    const PartInfo hole =
+        info_of_part(trimmed_object("H", trimmed(kSquare, border + circle(.5, .5, .4, turn))));
     EXPECT_EQ(hole.faces, 1);
     EXPECT_EQ(hole.edges, 5);
     EXPECT_NEAR(hole.area / (100 - 16 * pi), 1, kArea);
@@ -113,7 +114,7 @@ TEST(IritTrimmed, HolesAndIslandsWhicheverWayTheyTurn) {
   // The hole before the border, an island in the hole, a hole in the island.
   const std::string loops =
       circle(.5, .5, .4) + border + circle(.5, .5, .1, -1) + circle(.5, .5, .3);
-  const PartInfo island = info_of(object("I", trimmed(kSquare, loops)), 0, 1);
+  const PartInfo island = info_of_part(trimmed_object("I", trimmed(kSquare, loops)), 0, 1);
   EXPECT_EQ(island.faces, 2);
   EXPECT_NEAR(island.area / (100 - 16 * pi + 9 * pi - pi), 1, kArea);
 }
@@ -122,25 +123,25 @@ TEST(IritTrimmed, APeriodicCurve) {
   // Four parabolas about half the square of the control points: 5/6 of it.
   const std::string curve =
       "[CURVE BSPLINE 4 3 E3 [KVP 0 1 2 3 4 5 6 7 8] [.2 .2 0] [.8 .2 0] [.8 .8 0] [.2 .8 0]]";
-  const PartInfo info = info_of(object("P", trimmed(kSquare, loop(segment(curve)))));
+  const PartInfo info = info_of_part(trimmed_object("P", trimmed(kSquare, loop(segment(curve)))));
   EXPECT_EQ(info.edges, 1);
   EXPECT_NEAR(info.area / 30, 1, kArea);
 }
 
 TEST(IritTrimmed, ThePatchWithoutALoop) {
-  const PartInfo square = info_of(object("S", trimmed(kSquare, "")));
+  const PartInfo square = info_of_part(trimmed_object("S", trimmed(kSquare, "")));
   EXPECT_EQ(square.edges, 4);
   EXPECT_NEAR(square.area, 100, 100 * kArea);
   // Its two sides are one edge.
-  const PartInfo round = info_of(object("C", trimmed(cylinder(0, 4), "")));
+  const PartInfo round = info_of_part(trimmed_object("C", trimmed(trimmed_cylinder(0, 4), "")));
   EXPECT_EQ(round.edges, 3);
   EXPECT_EQ(round.boundary_edges, 2);
   EXPECT_NEAR(round.area / (2 * pi), 1, kArea);
 }
 
 TEST(IritTrimmed, ALoopAroundAClosedSurface) {
-  const PartInfo info =
-      info_of(object("C", trimmed(cylinder(0, 4), polygon({{0, 0}, {4, 0}, {4, 0.5}, {0, 0.5}}))));
+  const PartInfo info = info_of_part(trimmed_object(
+      "C", trimmed(trimmed_cylinder(0, 4), polygon({{0, 0}, {4, 0}, {4, 0.5}, {0, 0.5}}))));
   EXPECT_EQ(info.edges, 3);
   EXPECT_EQ(info.boundary_edges, 2);
   EXPECT_NEAR(info.area / pi, 1, kArea);
@@ -151,9 +152,9 @@ TEST(IritTrimmed, APeriodicSurface) {
   const std::string surface =
       "[SURFACE BSPLINE 3 2 3 2 E3 [KVP 0 1 2 3 4 5 6 7] [KV 0 0 1 1] [0 0 0] [6 0 0] [0 6 0] "
       "[0 0 1] [6 0 1] [0 6 1]]";
-  const PartInfo whole = info_of(object("S", "[TRIMSRF " + surface + "]"));
-  const PartInfo half =
-      info_of(object("S", trimmed(surface, polygon({{2, 0.5}, {5, 0.5}, {5, 1}, {2, 1}}))));
+  const PartInfo whole = info_of_part(trimmed_object("S", "[TRIMSRF " + surface + "]"));
+  const PartInfo half = info_of_part(
+      trimmed_object("S", trimmed(surface, polygon({{2, 0.5}, {5, 0.5}, {5, 1}, {2, 1}}))));
   EXPECT_EQ(whole.edges, 3);
   EXPECT_EQ(half.edges, 3);
   EXPECT_GT(whole.area, 8);
@@ -162,20 +163,22 @@ TEST(IritTrimmed, APeriodicSurface) {
 
 TEST(IritTrimmed, FacesOfOneObjectShareTheirBorders) {
   const std::string loops = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
-  const std::string halves = trimmed(cylinder(0, 2), loops) + trimmed(cylinder(2, 2), loops);
-  const PartInfo info = info_of(object("C", halves));
+  const std::string halves =
+      trimmed(trimmed_cylinder(0, 2), loops) + trimmed(trimmed_cylinder(2, 2), loops);
+  const PartInfo info = info_of_part(trimmed_object("C", halves));
   EXPECT_EQ(info.faces, 2);
   EXPECT_EQ(info.edges, 6);
   EXPECT_EQ(info.boundary_edges, 4);
   EXPECT_NEAR(info.area / (2 * pi), 1, kArea);
   // A whole patch beside a trimmed one is a face like it.
-  const PartInfo mixed = info_of(object("C", trimmed(cylinder(0, 2), loops) + cylinder(2, 2)));
+  const PartInfo mixed = info_of_part(
+      trimmed_object("C", trimmed(trimmed_cylinder(0, 2), loops) + trimmed_cylinder(2, 2)));
   EXPECT_EQ(mixed.faces, 2);
   EXPECT_EQ(mixed.boundary_edges, 4);
   // Objects without names are one part.
-  const PartInfo list =
-      info_of(object("L", object("[COLOR 4]", trimmed(cylinder(0, 2), loops)) +
-                              object("[COLOR 4]", trimmed(cylinder(2, 2), loops))));
+  const PartInfo list = info_of_part(
+      trimmed_object("L", trimmed_object("[COLOR 4]", trimmed(trimmed_cylinder(0, 2), loops)) +
+                              trimmed_object("[COLOR 4]", trimmed(trimmed_cylinder(2, 2), loops))));
   EXPECT_EQ(list.name, "L");
   EXPECT_EQ(list.edges, 6);
 }
@@ -185,7 +188,7 @@ TEST(IritTrimmed, BordersThatNearlyFitAreOneEdge) {
   const auto edges = [](double gap) {
     const std::string other =
         fmt::format("[SURFACE BEZIER 2 2 E3 [{0} 0 0] [20 0 5] [{0} 10 0] [20 10 5]]", 10 + gap);
-    return info_of(object("S", trimmed(kSquare, "") + trimmed(other, ""))).edges;
+    return info_of_part(trimmed_object("S", trimmed(kSquare, "") + trimmed(other, ""))).edges;
   };
   EXPECT_EQ(edges(0), 7);
   EXPECT_EQ(edges(1e-4), 7);
@@ -206,10 +209,10 @@ TEST(IritTrimmed, HolesThatLieClose) {
     rings += circle(0.5, 0.5, r);
     area += (i % 2 == 0 ? 100 : -100) * pi * r * r;
   }
-  const PartInfo plate = info_of(object("P", trimmed(kSquare, holes)));
+  const PartInfo plate = info_of_part(trimmed_object("P", trimmed(kSquare, holes)));
   EXPECT_EQ(plate.edges, 904);
   EXPECT_NEAR(plate.area, 100 - 900 * pi * 0.0144, 100 * kArea);
-  const PartInfo ringed = info_of(object("R", trimmed(kSquare, rings)));
+  const PartInfo ringed = info_of_part(trimmed_object("R", trimmed(kSquare, rings)));
   EXPECT_EQ(ringed.faces, 50);
   EXPECT_NEAR(ringed.area / area, 1, 1e-5);
 }
@@ -218,7 +221,7 @@ TEST(IritTrimmed, CurvesThatTurnAndThatNearlyMeet) {
   // The second runs against the loop; ends lie as far apart as six digits leave them.
   const std::string loops = loop(line({0.1, 0.1}, {0.9, 0.1}) + line({0.9, 0.5}, {0.900001, 0.1}) +
                                  line({0.9, 0.500001}, {0.1, 0.1}));
-  const PartInfo info = info_of(object("T", trimmed(kSquare, loops)));
+  const PartInfo info = info_of_part(trimmed_object("T", trimmed(kSquare, loops)));
   EXPECT_EQ(info.edges, 3);
   EXPECT_NEAR(info.area, 16, 1e-4);
 }
@@ -227,22 +230,23 @@ TEST(IritTrimmed, CurvesInSpaceAreNotNeeded) {
   const std::string space = "[CURVE BEZIER 2 E3 [1 1 0] [7 7 7]]";
   const std::string with = loop("[TRIMCRVSEG [CURVE BEZIER 2 E2 [.1 .1] [.9 .1]] " + space + "]" +
                                 line({.9, .1}, {.9, .9}) + line({.9, .9}, {.1, .1}));
-  EXPECT_NEAR(info_of(object("T", trimmed(kSquare, with))).area, 32, 32 * kArea);
+  EXPECT_NEAR(info_of_part(trimmed_object("T", trimmed(kSquare, with))).area, 32, 32 * kArea);
 }
 
 TEST(IritTrimmed, SidesThatArePoints) {
   // A triangle whose fourth side is a point.
   const std::string cone = "[SURFACE BEZIER 2 2 E3 [0 0 0] [4 0 0] [0 3 0] [0 3 0]]";
   const PartInfo info =
-      info_of(object("T", trimmed(cone, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}))));
+      info_of_part(trimmed_object("T", trimmed(cone, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}))));
   EXPECT_NEAR(info.area, 6, 6 * kArea);
   EXPECT_EQ(info.boundary_edges, 3);
 }
 
 TEST(IritTrimmed, InstancesMove) {
-  const std::string bytes = object("A", trimmed(kSquare, circle(0.5, 0.5, 0.3))) +
-                            object("B", "[INSTANCE A 2 0 0 0  0 2 0 0  0 0 2 0  100 0 7 1]");
-  const PartInfo moved = info_of(bytes, 1, 2);
+  const std::string bytes =
+      trimmed_object("A", trimmed(kSquare, circle(0.5, 0.5, 0.3))) +
+      trimmed_object("B", "[INSTANCE A 2 0 0 0  0 2 0 0  0 0 2 0  100 0 7 1]");
+  const PartInfo moved = info_of_part(bytes, 1, 2);
   EXPECT_EQ(moved.name, "B");
   EXPECT_NEAR(moved.area / (36 * pi), 1, kArea);
   test::expect_near(moved.bounds.min, {104, 4, 7}, 1e-4);
@@ -251,17 +255,19 @@ TEST(IritTrimmed, InstancesMove) {
 TEST(IritTrimmedErrors, InTheText) {
   expect_error("[OBJECT A\n [TRIMSRF x]]", 2, "column 11: 'x' is not the [SURFACE");
   expect_error("[OBJECT A\n[TRIMSRF [CURVE BEZIER 2 E2 [0 0] [1 1]]]]", 2, "is not the [SURFACE");
-  expect_error(object("A", trimmed(kSquare, "[TRIMCRV]")), 3,
+  expect_error(trimmed_object("A", trimmed(kSquare, "[TRIMCRV]")), 3,
                "column 9: ']' is not the [TRIMCRVSEG");
-  expect_error(object("A", trimmed(kSquare, "[TRIMCRV [TRIMCRVSEG]]")), 3, "is not the [CURVE");
-  expect_error(object("A", trimmed(kSquare, "[CURVE BEZIER 2 E2 [0 0] [1 1]]")), 3,
+  expect_error(trimmed_object("A", trimmed(kSquare, "[TRIMCRV [TRIMCRVSEG]]")), 3,
+               "is not the [CURVE");
+  expect_error(trimmed_object("A", trimmed(kSquare, "[CURVE BEZIER 2 E2 [0 0] [1 1]]")), 3,
                "column 2: 'CURVE' is not the [TRIMCRV ");
-  expect_error(object("A", trimmed(kSquare, circle(.5, .5, .3))).substr(0, 150), 3, "cannot fit");
+  expect_error(trimmed_object("A", trimmed(kSquare, circle(.5, .5, .3))).substr(0, 150), 3,
+               "cannot fit");
 }
 
 TEST(IritTrimmedErrors, OfLoops) {
   const auto bad = [](const std::string& loops, std::int64_t line, const std::string& part) {
-    expect_error(object("A", trimmed(kSquare, loops)), line, part);
+    expect_error(trimmed_object("A", trimmed(kSquare, loops)), line, part);
   };
   bad(loop(line({.1, .1}, {.9, .1}) + line({.9, .1}, {.9, .9})), 3,
       "column 2: this trimming loop cannot be read: it does not close: curve 2 ends at (0.9, 0.9), "
@@ -278,24 +284,25 @@ TEST(IritTrimmedErrors, OfLoops) {
 TEST(IritTrimmedErrors, Limits) {
   std::string many;
   for (int i = 0; i < 1001; ++i) many += circle(.5, .5, .3);
-  expect_error(object("A", trimmed(kSquare, many)), 2, "1001 trimming loops; at most 1000");
+  expect_error(trimmed_object("A", trimmed(kSquare, many)), 2, "1001 trimming loops; at most 1000");
   std::string high = "[CURVE BEZIER 27 E2";
   for (int i = 0; i < 27; ++i)
     high += fmt::format(" [{} {}]", .1 + (i % 26) * .02, .1 + i % 2 * .1);
-  expect_error(object("A", trimmed(kSquare, loop(segment(high + "]")))), 3, "its degree is 26");
+  expect_error(trimmed_object("A", trimmed(kSquare, loop(segment(high + "]")))), 3,
+               "its degree is 26");
   std::vector<Vec2> teeth;
   for (int i = 0; i < 3000; ++i) {
     teeth.push_back({.1 + .8 * i / 3000, .1});
     teeth.push_back({.1 + .8 * (i + .5) / 3000, .2});
   }
   teeth.push_back({.9, .9});
-  expect_error(object("A", trimmed(kSquare, polygon(teeth))), 3, "too many points");
+  expect_error(trimmed_object("A", trimmed(kSquare, polygon(teeth))), 3, "too many points");
 }
 
 TEST(IritTrimmed, OtherBasesAreTold) {
   const Scene scene = test::scene_of(
-      object("A", test::square({0, 0, 0})) +
-      object("B", trimmed(kSquare, loop(segment("[CURVE POWER 2 E2 [0 0] [1 1]]")))));
+      trimmed_object("A", test::square({0, 0, 0})) +
+      trimmed_object("B", trimmed(kSquare, loop(segment("[CURVE POWER 2 E2 [0 0] [1 1]]")))));
   EXPECT_EQ(scene.parts.size(), 1u);
   ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
   EXPECT_EQ(scene.diagnostics.entries()[0].code, "irit.unread");

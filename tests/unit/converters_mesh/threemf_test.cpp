@@ -40,18 +40,18 @@ std::string mesh(const TriMesh& m) {
   return out + "</triangles></mesh>";
 }
 
-std::string object(int id, const std::string& name, const std::string& content) {
+std::string model_object(int id, const std::string& name, const std::string& content) {
   return fmt::format("<object id=\"{}\" name=\"{}\" type=\"model\">{}</object>\n", id, name,
                      content);
 }
 
-const TriMesh kBox = test::box({0, 0, 0}, {1, 2, 3});
+const TriMesh kThreemfBox = test::box({0, 0, 0}, {1, 2, 3});
 
 Box3 bounds(const Scene& scene, std::size_t part) {
   return scene.parts.at(part).form->bounds(Mat3(1));
 }
 
-void expect_box(const Box3& box, Vec3 low, Vec3 high) {
+void expect_bounds(const Box3& box, Vec3 low, Vec3 high) {
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(box.min[k], low[k], 1e-9);
     EXPECT_NEAR(box.max[k], high[k], 1e-9);
@@ -61,7 +61,7 @@ void expect_box(const Box3& box, Vec3 low, Vec3 high) {
 TEST(ThreeMf, ReadsDoubles) {
   const TriMesh box = test::precise_box();
   const MeshFile file = test::read_bytes(
-      archive(model(object(1, "a &lt;b&gt; &#228;", mesh(box)), "<item objectid=\"1\"/>")),
+      archive(model(model_object(1, "a &lt;b&gt; &#228;", mesh(box)), "<item objectid=\"1\"/>")),
       "a.3mf");
   EXPECT_EQ(file.format, "3MF");
   test::expect_mesh(file, box);
@@ -69,7 +69,8 @@ TEST(ThreeMf, ReadsDoubles) {
 }
 
 TEST(ThreeMf, IsKnownByContent) {
-  const std::string bytes = archive(model(object(1, "", mesh(kBox)), "<item objectid=\"1\"/>"));
+  const std::string bytes =
+      archive(model(model_object(1, "", mesh(kThreemfBox)), "<item objectid=\"1\"/>"));
   EXPECT_EQ(test::read_bytes(bytes, "a.stl").format, "3MF");
 }
 
@@ -79,11 +80,11 @@ TEST(ThreeMf, UnitsBecomeMillimetres) {
                                                {"foot", 304.8},    {"meter", 1000}};
   for (const auto& [name, mm] : units) {
     const Scene scene = test::read_scene(
-        archive(model(object(1, "", mesh(kBox)),
+        archive(model(model_object(1, "", mesh(kThreemfBox)),
                       "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>",
                       "unit=\"" + name + "\"")),
         "a.3mf");
-    expect_box(bounds(scene, 0), Vec3(5, 0, 0) * mm, Vec3(6, 2, 3) * mm);
+    expect_bounds(bounds(scene, 0), Vec3(5, 0, 0) * mm, Vec3(6, 2, 3) * mm);
   }
 }
 
@@ -91,25 +92,25 @@ TEST(ThreeMf, ComponentsAndItemsAreMoved) {
   // Rows of the transform are the images of the axes; the component is turned about z, then the
   // item shifts it.
   const std::string objects =
-      object(1, "wheel", mesh(kBox)) +
-      object(2, "axle",
-             "<components><component objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 10 0 0\"/>"
-             "<component objectid=\"1\"/></components>");
+      model_object(1, "wheel", mesh(kThreemfBox)) +
+      model_object(2, "axle",
+                   "<components><component objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 10 0 0\"/>"
+                   "<component objectid=\"1\"/></components>");
   const Scene scene = test::read_scene(
       archive(model(
           objects,
           "<item objectid=\"2\" transform=\"2 0 0 0 2 0 0 0 2 0 100 0\"/><item objectid=\"1\"/>")),
       "a.3mf");
   ASSERT_EQ(scene.parts.size(), 3u);
-  expect_box(bounds(scene, 0), {16, 100, 0}, {20, 102, 6});
-  expect_box(bounds(scene, 1), {0, 100, 0}, {2, 104, 6});
-  expect_box(bounds(scene, 2), {0, 0, 0}, {1, 2, 3});
+  expect_bounds(bounds(scene, 0), {16, 100, 0}, {20, 102, 6});
+  expect_bounds(bounds(scene, 1), {0, 100, 0}, {2, 104, 6});
+  expect_bounds(bounds(scene, 2), {0, 0, 0}, {1, 2, 3});
   EXPECT_EQ(scene.parts[0].name, "wheel");
 }
 
 TEST(ThreeMf, MirroredItemsStayRightSideOut) {
   const auto objects = placed_objects(test::read_bytes(
-      archive(model(object(1, "", mesh(kBox)),
+      archive(model(model_object(1, "", mesh(kThreemfBox)),
                     "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>")),
       "a.3mf"));
   TriMesh m;
@@ -125,7 +126,7 @@ TEST(ThreeMf, UsesOfOneObjectShareAForm) {
   const std::string six_digits = "0.866025 0.5 0 -0.5 0.866025 0 0 0 1 50 0 0";
   const std::string sheared = "1 0 0 0.5 1 0 0 0 2 0 50 0";
   const Scene scene = test::read_scene(
-      archive(model(object(1, "foot", mesh(kBox)),
+      archive(model(model_object(1, "foot", mesh(kThreemfBox)),
                     "<item objectid=\"1\"/><item objectid=\"1\" transform=\"" + six_digits +
                         "\"/><item objectid=\"1\" transform=\"" + sheared +
                         "\"/><item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 9\"/>")),
@@ -135,8 +136,8 @@ TEST(ThreeMf, UsesOfOneObjectShareAForm) {
   EXPECT_EQ(shape(0), shape(1));
   EXPECT_TRUE(scene.parts[0].form->definition().same(scene.parts[1].form->definition()));
   EXPECT_FALSE(scene.parts[0].form->definition().same(scene.parts[2].form->definition()));
-  expect_box(bounds(scene, 2), {0, 50, 0}, {2, 52, 6});
-  expect_box(bounds(scene, 3), {-1, 0, 9}, {0, 2, 12});
+  expect_bounds(bounds(scene, 2), {0, 50, 0}, {2, 52, 6});
+  expect_bounds(bounds(scene, 3), {-1, 0, 9}, {0, 2, 12});
   RunContext context;
   EXPECT_NEAR(scene.parts[2].form->measure(context).volume, 12, 1e-9);
 }
@@ -152,20 +153,20 @@ TEST(ThreeMf, ColoursOfMaterialsAndColourGroups) {
          at = m.find(" pid=\"1\"")) {
       m.erase(at, 8);
     }
-    std::string text = object(id, fmt::format("o{}", id), m);
+    std::string text = model_object(id, fmt::format("o{}", id), m);
     return text.replace(text.find("<object") + 7, 0, " " + properties);
   };
-  std::string two = mesh(kBox), even = mesh(kBox);
+  std::string two = mesh(kThreemfBox), even = mesh(kThreemfBox);
   two.replace(two.find("pid=\"1\""), 7, "pid=\"6\" p1=\"0\" p2=\"1\" p3=\"0\"");
   for (std::size_t at = even.find("pid=\"1\""); at != std::string::npos;
        at = even.find("pid=\"1\"")) {
     even.replace(at, 7, "pid=\"6\" p1=\"1\"");
   }
   const Scene scene = test::read_scene(
-      archive(model(groups + of(1, "pid=\"5\" pindex=\"0\"", mesh(kBox)) +
-                        of(2, "pid=\"5\" pindex=\"1\"", mesh(kBox)) +
+      archive(model(groups + of(1, "pid=\"5\" pindex=\"0\"", mesh(kThreemfBox)) +
+                        of(2, "pid=\"5\" pindex=\"1\"", mesh(kThreemfBox)) +
                         of(3, "pid=\"6\" pindex=\"0\"", two) +
-                        of(4, "pid=\"5\" pindex=\"0\"", even) + of(7, "", mesh(kBox)),
+                        of(4, "pid=\"5\" pindex=\"0\"", even) + of(7, "", mesh(kThreemfBox)),
                     "<item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"3\"/>"
                     "<item objectid=\"4\"/><item objectid=\"7\"/>")),
       "a.3mf");
@@ -178,11 +179,12 @@ TEST(ThreeMf, ColoursOfMaterialsAndColourGroups) {
 }
 
 TEST(ThreeMf, SupportsAreLeftOutAndTold) {
-  std::string support = object(2, "brace", mesh(kBox)), other = object(3, "tool", mesh(kBox));
+  std::string support = model_object(2, "brace", mesh(kThreemfBox)),
+              other = model_object(3, "tool", mesh(kThreemfBox));
   support.replace(support.find("type=\"model\""), 12, "type=\"support\"");
   other.replace(other.find("type=\"model\""), 12, "type=\"other\"");
   const std::string items = "<item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"3\"/>";
-  const std::string objects = object(1, "a", mesh(kBox)) + support + other;
+  const std::string objects = model_object(1, "a", mesh(kThreemfBox)) + support + other;
   for (const std::string& build : {items, std::string()}) {
     const Scene scene = test::read_scene(archive(model(objects, build)), "a.3mf");
     ASSERT_EQ(scene.parts.size(), 1u);
@@ -201,8 +203,9 @@ std::string sliced(const std::string& parts, const std::string& components) {
       parts + "</object></config>";
   const std::string root =
       "<object id=\"2\" type=\"model\"><components>" + components + "</components></object>";
-  const std::string other = "<object id=\"1\" type=\"model\">" + mesh(kBox) +
-                            "</object><object id=\"3\" type=\"model\">" + mesh(kBox) + "</object>";
+  const std::string other = "<object id=\"1\" type=\"model\">" + mesh(kThreemfBox) +
+                            "</object><object id=\"3\" type=\"model\">" + mesh(kThreemfBox) +
+                            "</object>";
   return zipped({{"_rels/.rels", kRelationships},
                  {"3D/here.model", model(root, "<item objectid=\"2\"/>")},
                  {"3D/Objects/o.model", model(other, "")},
@@ -247,7 +250,7 @@ TEST(ThreeMf, NamesThatSlicersKeep) {
 }
 
 TEST(ThreeMf, VolumesOfPrusaSlicer) {
-  TriMesh both = kBox;
+  TriMesh both = kThreemfBox;
   const TriMesh pad = test::box({5, 0, 0}, {6, 1, 1});
   for (const Triangle& t : pad.triangles) {
     both.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
@@ -262,7 +265,7 @@ TEST(ThreeMf, VolumesOfPrusaSlicer) {
         type + "\"/></volume></object></config>";
     return test::read_scene(
         zipped({{"_rels/.rels", kRelationships},
-                {"3D/here.model", model(object(1, "", mesh(both)), "<item objectid=\"1\"/>")},
+                {"3D/here.model", model(model_object(1, "", mesh(both)), "<item objectid=\"1\"/>")},
                 {"Metadata/Slic3r_PE_model.config", config}}),
         "a.3mf");
   };
@@ -271,21 +274,22 @@ TEST(ThreeMf, VolumesOfPrusaSlicer) {
   EXPECT_EQ(parts.parts[0].name, "Base");
   EXPECT_EQ(parts.parts[1].name, "Lid");
   EXPECT_EQ(parts.parts[1].assembly, std::vector<std::string>{"Tray"});
-  expect_box(bounds(parts, 0), {0, 0, 0}, {1, 2, 3});
-  expect_box(bounds(parts, 1), {5, 0, 0}, {6, 1, 1});
+  expect_bounds(bounds(parts, 0), {0, 0, 0}, {1, 2, 3});
+  expect_bounds(bounds(parts, 1), {5, 0, 0}, {6, 1, 1});
   const Scene blocked = read("SupportBlocker");
   ASSERT_EQ(blocked.parts.size(), 1u);
   EXPECT_EQ(blocked.parts[0].name, "Tray");
-  expect_box(bounds(blocked, 0), {0, 0, 0}, {1, 2, 3});
+  expect_bounds(bounds(blocked, 0), {0, 0, 0}, {1, 2, 3});
   EXPECT_EQ(test::count_of(blocked.diagnostics, "3mf.modifiers"), 1);
 }
 
 TEST(ThreeMf, ObjectsOfOtherModelParts) {
-  const std::string other = model(object(7, "inner", mesh(kBox)), "");
-  const std::string root = model(object(1, "outer",
-                                        "<components><component p:path=\"/3D/Objects/other.model\" "
-                                        "objectid=\"7\"/></components>"),
-                                 "<item objectid=\"1\"/>");
+  const std::string other = model(model_object(7, "inner", mesh(kThreemfBox)), "");
+  const std::string root =
+      model(model_object(1, "outer",
+                         "<components><component p:path=\"/3D/Objects/other.model\" "
+                         "objectid=\"7\"/></components>"),
+            "<item objectid=\"1\"/>");
   const Scene scene = test::read_scene(zipped({{"_rels/.rels", kRelationships},
                                                {"3D/here.model", root},
                                                {"3D/Objects/other.model", other}}),
@@ -296,13 +300,15 @@ TEST(ThreeMf, ObjectsOfOtherModelParts) {
 
 TEST(ThreeMf, EmptyBuildShowsAllObjects) {
   const MeshFile file = test::read_bytes(
-      archive(model(object(1, "a", mesh(kBox)) + object(2, "b", mesh(kBox)), "")), "a.3mf");
+      archive(model(
+          model_object(1, "a", mesh(kThreemfBox)) + model_object(2, "b", mesh(kThreemfBox)), "")),
+      "a.3mf");
   EXPECT_EQ(file.objects.size(), 2u);
   EXPECT_EQ(test::count_of(file.diagnostics, "3mf.no_build"), 1);
 }
 
 TEST(ThreeMf, ModelIsFoundWithoutRelationships) {
-  const std::string m = model(object(1, "a", mesh(kBox)), "<item objectid=\"1\"/>");
+  const std::string m = model(model_object(1, "a", mesh(kThreemfBox)), "<item objectid=\"1\"/>");
   EXPECT_EQ(test::read_bytes(zipped({{"3D/3dmodel.model", m}}), "a.3mf").objects.size(), 1u);
 }
 
@@ -311,44 +317,47 @@ void expect_model_error(const std::string& text, const std::string& part) {
 }
 
 TEST(ThreeMf, ErrorsNameTheMemberAndLine) {
-  std::string broken = mesh(kBox);
+  std::string broken = mesh(kThreemfBox);
   const std::string item = "<item objectid=\"1\"/>";
   broken.replace(broken.find("v1=\"0\""), 6, "v1=\"8\"");
-  expect_model_error(model(object(1, "", broken), item),
+  expect_model_error(model(model_object(1, "", broken), item),
                      "in 3D/here.model, line 14: a triangle refers to vertex '8', its mesh has 8");
-  broken = mesh(kBox);
+  broken = mesh(kThreemfBox);
   broken.replace(broken.find("x=\"0\""), 5, "x=\"zero\"");
-  expect_model_error(model(object(1, "", broken), item), "line 5: 'zero' is no number for x");
-  expect_model_error(model(object(1, "", "<mesh><vertices>"), item), "bad XML");
-  expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"2\"/>"),
+  expect_model_error(model(model_object(1, "", broken), item), "line 5: 'zero' is no number for x");
+  expect_model_error(model(model_object(1, "", "<mesh><vertices>"), item), "bad XML");
+  expect_model_error(model(model_object(1, "", mesh(kThreemfBox)), "<item objectid=\"2\"/>"),
                      "does not hold object '2' of 3D/here.model, which its build uses");
-  expect_model_error(model(object(1, "", mesh(kBox)) + object(1, "", mesh(kBox)), item),
-                     "two objects have the id '1'");
-  expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
-                     "is no transform");
-  expect_model_error(model(object(1, "", mesh(kBox)), item, "unit=\"furlong\""),
+  expect_model_error(
+      model(model_object(1, "", mesh(kThreemfBox)) + model_object(1, "", mesh(kThreemfBox)), item),
+      "two objects have the id '1'");
+  expect_model_error(
+      model(model_object(1, "", mesh(kThreemfBox)), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
+      "is no transform");
+  expect_model_error(model(model_object(1, "", mesh(kThreemfBox)), item, "unit=\"furlong\""),
                      "'furlong' is no unit");
-  expect_model_error(model(object(1, "", ""), item), "holds no triangles");
+  expect_model_error(model(model_object(1, "", ""), item), "holds no triangles");
   expect_model_error("<other/>", "no element 'model'");
 }
 
 TEST(ThreeMf, EntityTricksAreRefused) {
-  std::string text = model(object(1, "&lol;", mesh(kBox)), "<item objectid=\"1\"/>");
+  std::string text = model(model_object(1, "&lol;", mesh(kThreemfBox)), "<item objectid=\"1\"/>");
   text.insert(text.find("<model"),
               "<!DOCTYPE model [<!ENTITY lol SYSTEM \"file:///etc/passwd\">]>\n");
   expect_model_error(text, "document type is not allowed");
 }
 
 TEST(ThreeMf, ComponentsThatExplodeOrLoopAreRefused) {
-  std::string objects = object(1, "", mesh(kBox));
+  std::string objects = model_object(1, "", mesh(kThreemfBox));
   for (int i = 2; i < 60; ++i) {  // 2^58 boxes
     const std::string c = fmt::format("<component objectid=\"{}\"/>", i - 1);
-    objects += object(i, "", "<components>" + c + c + "</components>");
+    objects += model_object(i, "", "<components>" + c + c + "</components>");
   }
   expect_model_error(model(objects, "<item objectid=\"59\"/>"), "far too many");
-  expect_model_error(model(object(1, "", "<components><component objectid=\"1\"/></components>"),
-                           "<item objectid=\"1\"/>"),
-                     "contain each other");
+  expect_model_error(
+      model(model_object(1, "", "<components><component objectid=\"1\"/></components>"),
+            "<item objectid=\"1\"/>"),
+      "contain each other");
 }
 
 TEST(ThreeMf, BombsAndDamagedArchivesAreRefused) {
@@ -356,7 +365,8 @@ TEST(ThreeMf, BombsAndDamagedArchivesAreRefused) {
       zipped({{"_rels/.rels", kRelationships}, {"3D/here.model", std::string(64 << 20, ' ')}});
   EXPECT_LT(bomb.size(), 200'000u);
   test::expect_error(bomb, "a.3mf", 0, "hostile and was not unpacked");
-  const std::string good = archive(model(object(1, "", mesh(kBox)), "<item objectid=\"1\"/>"));
+  const std::string good =
+      archive(model(model_object(1, "", mesh(kThreemfBox)), "<item objectid=\"1\"/>"));
   test::expect_error(good.substr(0, good.size() / 2), "a.3mf", 0, "damaged zip archive");
   test::expect_error(zipped({{"readme.txt", "hello"}}), "a.3mf", 0, "without a 3MF model");
   test::expect_error(zipped({{"Document.xml", "<x/>"}}), "a.3mf", 0, "FreeCAD document");
@@ -371,9 +381,10 @@ TEST(ThreeMf, AnObjectOfSeveralMeshesHoldsThemAll) {
   // Against the standard, but written, by programs that mean each of them.
   const std::string far = mesh(test::box({5, 0, 0}, {6, 2, 3}));
   const Scene scene = test::read_scene(
-      archive(model(object(2, "pair", mesh(kBox) + far), "<item objectid=\"2\"/>")), "pair.3mf");
+      archive(model(model_object(2, "pair", mesh(kThreemfBox) + far), "<item objectid=\"2\"/>")),
+      "pair.3mf");
   ASSERT_EQ(scene.parts.size(), 1u);
-  expect_box(bounds(scene, 0), {0, 0, 0}, {6, 2, 3});
+  expect_bounds(bounds(scene, 0), {0, 0, 0}, {6, 2, 3});
 }
 
 TEST(ThreeMf, BeamsThatAreLeftOutAreTold) {
@@ -382,7 +393,7 @@ TEST(ThreeMf, BeamsThatAreLeftOutAreTold) {
       "</vertices><triangles/><b:beamlattice radius=\"1\"><b:beams><b:beam v1=\"0\" v2=\"1\"/>"
       "</b:beams></b:beamlattice></mesh>";
   const MeshFile file = test::read_bytes(
-      archive(model(object(2, "lattice", beams) + object(3, "box", mesh(kBox)),
+      archive(model(model_object(2, "lattice", beams) + model_object(3, "box", mesh(kThreemfBox)),
                     "<item objectid=\"2\"/><item objectid=\"3\"/>", "xmlns:b=\"b\"")),
       "beams.3mf");
   EXPECT_EQ(file.uses.size(), 1u);
@@ -396,10 +407,11 @@ TEST(ThreeMf, WhatTheFileDoesNotHoldIsLeftOutAndTold) {
   const std::string uses =
       "<components><component objectid=\"1\"/><component objectid=\"9\"/></components>";
   for (const std::string& text :
-       {model(object(1, "a", mesh(kBox)), item + "<item objectid=\"7\"/>"),
-        model(object(1, "a", mesh(kBox)), item + "<item objectid=\"1\" p:path=\"/3D/none.model\"/>",
-              "xmlns:p=\"p\""),
-        model(object(1, "a", mesh(kBox)) + object(2, "b", uses), "<item objectid=\"2\"/>")}) {
+       {model(model_object(1, "a", mesh(kThreemfBox)), item + "<item objectid=\"7\"/>"),
+        model(model_object(1, "a", mesh(kThreemfBox)),
+              item + "<item objectid=\"1\" p:path=\"/3D/none.model\"/>", "xmlns:p=\"p\""),
+        model(model_object(1, "a", mesh(kThreemfBox)) + model_object(2, "b", uses),
+              "<item objectid=\"2\"/>")}) {
     const Scene scene = test::read_scene(archive(text), "a.3mf");
     EXPECT_EQ(scene.parts.size(), 1u);
     ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
@@ -415,7 +427,7 @@ TEST(ThreeMf, MaterialsThatAreMixed) {
       "values=\"\"/></m:compositematerials><basematerials id=\"5\"><base name=\"r\" "
       "displaycolor=\"#FF0000\"/><base name=\"b\" displaycolor=\"#0000FF\"/><base "
       "name=\"none\"/></basematerials>";
-  std::string plain = mesh(kBox);
+  std::string plain = mesh(kThreemfBox);
   for (std::size_t at = 0; (at = plain.find(" pid=\"1\"", at)) != plain.npos;) plain.erase(at, 8);
   std::string objects = groups, items;
   for (int i = 0; i < 4; ++i) {
@@ -438,7 +450,7 @@ TEST(ThreeMf, OfSeveralLayersOfColourTheUpperOneIsSeen) {
       "<m:colorgroup id=\"6\"><m:color color=\"#00FF00\"/><m:color color=\"#FF000040\"/>"
       "</m:colorgroup><m:multiproperties id=\"7\" pids=\"5 6\"><m:multi pindices=\"0 1\"/>"
       "<m:multi pindices=\"0 9\"/></m:multiproperties>";
-  std::string plain = mesh(kBox);
+  std::string plain = mesh(kThreemfBox);
   for (std::size_t at = 0; (at = plain.find(" pid=\"1\"", at)) != plain.npos;) plain.erase(at, 8);
   const auto painted = [&](int id, int index) {
     return fmt::format("<object id=\"{}\" pid=\"7\" pindex=\"{}\">{}</object>", id, index, plain);
@@ -455,7 +467,7 @@ TEST(ThreeMf, OfSeveralLayersOfColourTheUpperOneIsSeen) {
 
 TEST(ThreeMf, APartNumberNamesWhatHasNoName) {
   const MeshFile file = test::read_bytes(
-      archive(model("<object id=\"2\" partnumber=\"A-117\">" + mesh(kBox) + "</object>",
+      archive(model("<object id=\"2\" partnumber=\"A-117\">" + mesh(kThreemfBox) + "</object>",
                     "<item objectid=\"2\"/>")),
       "a.3mf");
   ASSERT_EQ(file.uses.size(), 1u);
@@ -463,7 +475,8 @@ TEST(ThreeMf, APartNumberNamesWhatHasNoName) {
 }
 
 TEST(ThreeMf, ItemsThatAreNotPrintedAreLeftOut) {
-  const std::string boxes = object(1, "a", mesh(kBox)) + object(2, "b", mesh(kBox));
+  const std::string boxes =
+      model_object(1, "a", mesh(kThreemfBox)) + model_object(2, "b", mesh(kThreemfBox));
   const auto read = [&](const char* first, const char* second) {
     return test::read_scene(
         archive(model(boxes, fmt::format("<item objectid=\"1\" printable=\"{}\"/>"

@@ -113,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, Agreement, ::testing::ValuesIn(kCases),
                          [](const auto& of) { return std::string(of.param.name); });
 
 /// A DXF file of lines, x0 y0 x1 y1 each, and of other entities.
-std::string dxf(const std::vector<std::array<int, 4>>& lines, const std::string& more = {}) {
+std::string dxf_of_lines(const std::vector<std::array<int, 4>>& lines,
+                         const std::string& more = {}) {
   std::string out = "0\nSECTION\n2\nENTITIES\n";
   for (const auto& [a, b, c, d] : lines) {
     out += "0\nLINE\n8\n0\n10\n" + std::to_string(a) + "\n20\n" + std::to_string(b) + "\n11\n" +
@@ -125,20 +126,21 @@ std::string dxf(const std::vector<std::array<int, 4>>& lines, const std::string&
 TEST(FileAgreement, DxfLinesThatCrossGoTogetherAsInOpenScad) {
   if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
   const Folder folder;
-  folder.write("mesh.dxf", dxf({{50, 140, 0, 140},
-                                {140, 0, 0, 0},
-                                {0, 0, 0, 140},
-                                {50, 140, 0, 0},
-                                {50, 140, 45, 100},
-                                {45, 100, 60, 80},
-                                {0, 0, 45, 100},
-                                {45, 50, 140, 0},
-                                {60, 80, 45, 50},
-                                {45, 50, 0, 0},
-                                {45, 100, 45, 50}}));
+  folder.write("mesh.dxf", dxf_of_lines({{50, 140, 0, 140},
+                                         {140, 0, 0, 0},
+                                         {0, 0, 0, 140},
+                                         {50, 140, 0, 0},
+                                         {50, 140, 45, 100},
+                                         {45, 100, 60, 80},
+                                         {0, 0, 45, 100},
+                                         {45, 50, 140, 0},
+                                         {60, 80, 45, 50},
+                                         {45, 50, 0, 0},
+                                         {45, 100, 45, 50}}));
   expect_agreement(folder, "linear_extrude(1) import(\"mesh.dxf\");");
-  folder.write("open.dxf",
-               dxf({{0, 0, 9, 0}, {9, 0, 9, 9}, {9, 9, 0, 0}, {9, 9, 12, 14}, {12, 14, 3, 12}}));
+  folder.write(
+      "open.dxf",
+      dxf_of_lines({{0, 0, 9, 0}, {9, 0, 9, 9}, {9, 9, 0, 0}, {9, 9, 12, 14}, {12, 14, 3, 12}}));
   expect_agreement(folder, "linear_extrude(1) import(\"open.dxf\");");
 }
 
@@ -147,7 +149,8 @@ TEST(FileAgreement, DxfCurvesAndBlocks) {
   const Folder folder;
   folder.write(
       "curves.dxf",
-      dxf({{20, 0, 20, 10}},
+      dxf_of_lines(
+          {{20, 0, 20, 10}},
           "0\nARC\n8\na\n10\n20\n20\n5\n40\n5\n50\n90\n51\n270\n"
           "0\nCIRCLE\n8\na\n10\n40\n20\n5\n40\n7.5\n"
           "0\nELLIPSE\n8\nb\n10\n6\n20\n25\n11\n4\n21\n3\n40\n0.5\n41\n0\n42\n6.2831853\n"
@@ -156,8 +159,9 @@ TEST(FileAgreement, DxfCurvesAndBlocks) {
       "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n0\n20\n0\n10\n"
       "5\n20\n"
       "0\n10\n1\n20\n4\n0\nENDBLK\n0\nENDSEC\n";
-  folder.write("blocks.dxf",
-               blocks + dxf({}, "0\nINSERT\n8\n0\n2\nb\n10\n3\n20\n4\n41\n2\n42\n1.5\n50\n30\n"));
+  folder.write(
+      "blocks.dxf",
+      blocks + dxf_of_lines({}, "0\nINSERT\n8\n0\n2\nb\n10\n3\n20\n4\n41\n2\n42\n1.5\n50\n30\n"));
   expect_agreement(folder, "linear_extrude(1) import(\"curves.dxf\", $fn = 30);");
   expect_agreement(
       folder,

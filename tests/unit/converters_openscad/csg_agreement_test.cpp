@@ -6,14 +6,14 @@ namespace burin::csg::test {
 namespace {
 
 // Of the volume: OpenSCAD writes six digits of each coordinate.
-constexpr double kAgree = 1e-5;
+constexpr double kCsgAgrees = 1e-5;
 
-struct Case {
+struct CsgCase {
   const char* name;
   const char* program;
 };
 
-class SolidAgreement : public ::testing::TestWithParam<Case> {};
+class SolidAgreement : public ::testing::TestWithParam<CsgCase> {};
 
 TEST_P(SolidAgreement, VolumeIsThatOfOpenScad) {
   if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
@@ -24,10 +24,10 @@ TEST_P(SolidAgreement, VolumeIsThatOfOpenScad) {
   EXPECT_EQ(open_edges(ours.solid), 0u);
   const double theirs = openscad_volume(folder.write("case.csg", *tree));
   EXPECT_GT(theirs, 0);
-  EXPECT_NEAR(volume(ours.solid), theirs, kAgree * theirs);
+  EXPECT_NEAR(volume(ours.solid), theirs, kCsgAgrees * theirs);
 }
 
-const Case kCases[] = {
+const CsgCase kCsgCases[] = {
     {"drilled_ball",
      "difference() { sphere(10, $fn=40); for (a=[0,90]) rotate([a,0,0]) cylinder(h=40, r=3, "
      "center=true, $fn=30); }"},
@@ -61,7 +61,7 @@ const Case kCases[] = {
      "cylinder(h=20,r=2,center=true,$fn=20); }"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Csg, SolidAgreement, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Csg, SolidAgreement, ::testing::ValuesIn(kCsgCases),
                          [](const auto& i) { return std::string(i.param.name); });
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kExact = 1e-9, kGridShare = 1e-5;
 
-double polygon_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * M_PI / n); }
+double area_of_polygon(int n, double r) { return 0.5 * n * r * r * std::sin(2 * M_PI / n); }
 
 TEST(FlatShapes, SquareIsWhereItIsSaidToBe) {
   Evaluated tree("square(size = [3, 2], center = true);");
@@ -28,7 +28,7 @@ TEST(FlatShapes, CircleHasTheCornersOfItsFragmentsAndKnowsItsArc) {
   for (const int n : {3, 5, 8, 9, 32, 100}) {
     Evaluated tree("circle($fn = " + std::to_string(n) + ", $fa = 12, $fs = 2, r = 7);");
     const Region region = tree.region();
-    EXPECT_NEAR(area(region), polygon_area(n, 7), kExact) << n;
+    EXPECT_NEAR(area(region), area_of_polygon(n, 7), kExact) << n;
     EXPECT_EQ(tagged_edges(region), n >= kFewestRound ? static_cast<std::size_t>(n) : 0u);
     EXPECT_LT(farthest_from_arcs(region), kExact);
   }
@@ -48,14 +48,14 @@ TEST(FlatShapes, CombinationsCutAndKeepArcs) {
   Evaluated tree(
       "difference() { square(size = [20, 20], center = true); circle($fn = 64, r = 5); }");
   const Region region = tree.region();
-  EXPECT_NEAR(area(region), 400 - polygon_area(64, 5), kExact);
+  EXPECT_NEAR(area(region), 400 - area_of_polygon(64, 5), kExact);
   EXPECT_EQ(tagged_edges(region), 64u);
   EXPECT_LT(farthest_from_arcs(region), kExact);
   Evaluated half(
       "intersection() { circle($fn = 64, r = 5); multmatrix([[1,0,0,0],[0,1,0,-5],[0,0,"
       "1,0],[0,0,0,1]]) { square(size = [10, 10], center = false); } }");
   const Region quarter = half.region();
-  EXPECT_NEAR(area(quarter), polygon_area(64, 5) / 2, kExact);
+  EXPECT_NEAR(area(quarter), area_of_polygon(64, 5) / 2, kExact);
   EXPECT_EQ(tagged_edges(quarter), 32u);
 }
 
@@ -72,19 +72,19 @@ TEST(FlatShapes, MirroredAndTurnedCirclesStayRoundAndScaledOnesDoNot) {
   const std::string circle = "{ circle($fn = 20, r = 2); }";
   const Region mirrored =
       Evaluated("multmatrix([[-1,0,0,3],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) " + circle).region();
-  EXPECT_NEAR(area(mirrored), polygon_area(20, 2), kExact);
+  EXPECT_NEAR(area(mirrored), area_of_polygon(20, 2), kExact);
   EXPECT_EQ(tagged_edges(mirrored), 20u);
   EXPECT_LT(farthest_from_arcs(mirrored), kExact);
   const Region scaled =
       Evaluated("multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) " + circle).region();
-  EXPECT_NEAR(area(scaled), 2 * polygon_area(20, 2), kExact);
+  EXPECT_NEAR(area(scaled), 2 * area_of_polygon(20, 2), kExact);
   EXPECT_EQ(tagged_edges(scaled), 0u);
 }
 
 TEST(FlatShapes, OffsetsHaveTheAreaOfTheirCorners) {
   const std::string square = "{ square(size = [10, 10], center = true); }";
   const Region round = Evaluated("offset(r = 2, $fn = 32, $fa = 12, $fs = 2) " + square).region();
-  EXPECT_NEAR(area(round), 100 + 80 + polygon_area(32, 2), 1e-3);
+  EXPECT_NEAR(area(round), 100 + 80 + area_of_polygon(32, 2), 1e-3);
   EXPECT_EQ(tagged_edges(round), 32u);
   EXPECT_LT(farthest_from_arcs(round), 2.5 / 65536);
   EXPECT_NEAR(area(Evaluated("offset(delta = 2, chamfer = false) " + square).region()), 196, 1e-3);
@@ -110,7 +110,7 @@ TEST(FlatShapes, HullsAndSumsKeepTheArcsOfTheirCorners) {
       "{ circle($fn = 40, r = 2); multmatrix([[1,0,0,10],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { "
       "circle($fn = 40, r = 2); } }";
   const Region hull = Evaluated("hull() " + apart).region();
-  EXPECT_NEAR(area(hull), polygon_area(40, 2) + 40, 1e-6);
+  EXPECT_NEAR(area(hull), area_of_polygon(40, 2) + 40, 1e-6);
   EXPECT_EQ(tagged_edges(hull), 40u);
   EXPECT_EQ(hull.arcs.size(), 2u);
   EXPECT_LT(farthest_from_arcs(hull), kExact);
@@ -118,7 +118,7 @@ TEST(FlatShapes, HullsAndSumsKeepTheArcsOfTheirCorners) {
                          "minkowski(convexity = 0) { square(size = [10, 6], center = false); "
                          "circle($fn = 40, r = 2); }")
                          .region();
-  EXPECT_NEAR(area(sum), 60 + 2 * 2 * 16 + polygon_area(40, 2), 1e-3);
+  EXPECT_NEAR(area(sum), 60 + 2 * 2 * 16 + area_of_polygon(40, 2), 1e-3);
   EXPECT_EQ(tagged_edges(sum), 40u);
   EXPECT_EQ(sum.arcs.size(), 4u);
 }
@@ -135,13 +135,13 @@ TEST(FlatShapes, ShadowAndCutOfAnExtrusion) {
   const std::string ring =
       "{ multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,-1],[0,0,0,1]]) { linear_extrude(height = 4, scale "
       "= [0.5, 0.5]) { difference() { circle($fn = 60, r = 6); circle($fn = 60, r = 3); } } } }";
-  const double whole = polygon_area(60, 6) - polygon_area(60, 3);
+  const double whole = area_of_polygon(60, 6) - area_of_polygon(60, 3);
   const Region cut = Evaluated("projection(cut = true, convexity = 0) " + ring).region();
   EXPECT_NEAR(area(cut), whole * 0.875 * 0.875, whole * kGridShare);
   EXPECT_EQ(tagged_edges(cut), 120u);
   const Region shadow = Evaluated("projection(cut = false, convexity = 0) " + ring).region();
   // The hole narrows upwards: what is seen through is its upper end.
-  EXPECT_NEAR(area(shadow), polygon_area(60, 6) - polygon_area(60, 1.5), whole * kGridShare);
+  EXPECT_NEAR(area(shadow), area_of_polygon(60, 6) - area_of_polygon(60, 1.5), whole * kGridShare);
   EXPECT_EQ(tagged_edges(shadow), 120u);
 }
 

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-Path line(std::vector<Vec2> points, bool closed = false) {
+Path line_through(std::vector<Vec2> points, bool closed = false) {
   Path p;
   p.kind = LineClass::Crease;
   p.points = std::move(points);
@@ -33,7 +33,8 @@ LinesOnPaper on(const Path& path, double tolerance = 0.1) {
 }
 
 TEST(Coincident, ALineIsPartedWhereTheOtherEnds) {
-  const PartedPath p = parted(line({{0, 0}, {10, 0}}), on(line({{4, 0.05}, {20, 0.05}})), 0.3);
+  const PartedPath p =
+      parted(line_through({{0, 0}, {10, 0}}), on(line_through({{4, 0.05}, {20, 0.05}})), 0.3);
   ASSERT_EQ(p.off.size(), 1U);
   ASSERT_EQ(p.on.size(), 1U);
   EXPECT_NEAR(sum(p.off), 4, 0.1);
@@ -45,15 +46,16 @@ TEST(Coincident, ALineIsPartedWhereTheOtherEnds) {
 }
 
 TEST(Coincident, WhatIsFartherThanTheToleranceIsOff) {
-  const Path path = line({{0, 0}, {10, 0}});
-  EXPECT_TRUE(parted(path, on(line({{0, 0.11}, {10, 0.11}})), 0.3).on.empty());
-  EXPECT_TRUE(parted(path, on(line({{0, 0.09}, {10, 0.09}})), 0.3).off.empty());
+  const Path path = line_through({{0, 0}, {10, 0}});
+  EXPECT_TRUE(parted(path, on(line_through({{0, 0.11}, {10, 0.11}})), 0.3).on.empty());
+  EXPECT_TRUE(parted(path, on(line_through({{0, 0.09}, {10, 0.09}})), 0.3).off.empty());
   EXPECT_TRUE(parted(path, LinesOnPaper(0.1), 0.3).on.empty());
 }
 
 TEST(Coincident, ShortStretchesAreTakenForWhatIsBesideThem) {
   // Another line crosses: it holds 0.2 mm of this one.
-  EXPECT_TRUE(parted(line({{0, 0}, {10, 0}}), on(line({{5, -5}, {5, 5}})), 0.5).on.empty());
+  EXPECT_TRUE(
+      parted(line_through({{0, 0}, {10, 0}}), on(line_through({{5, -5}, {5, 5}})), 0.5).on.empty());
 }
 
 TEST(Coincident, ACircleThatIsWholeStaysClosed) {
@@ -62,7 +64,7 @@ TEST(Coincident, ACircleThatIsWholeStaysClosed) {
     const double a = 2 * std::numbers::pi * i / 64;
     points.emplace_back(5 * std::cos(a), 5 * std::sin(a));
   }
-  const Path circle = line(points, true);
+  const Path circle = line_through(points, true);
   const PartedPath same = parted(circle, on(circle), 0.3);
   ASSERT_EQ(same.on.size(), 1U);
   EXPECT_TRUE(same.on[0].closed);
@@ -75,7 +77,7 @@ TEST(Coincident, ACircleThatIsWholeStaysClosed) {
 }
 
 TEST(Coincident, LongLinesFarFromTheOriginAreFound) {
-  const Path diagonal = line({{-5000, -3000}, {5000, 4000}});
+  const Path diagonal = line_through({{-5000, -3000}, {5000, 4000}});
   const LinesOnPaper lines = on(diagonal, 0.2);
   for (int i = 0; i <= 1000; ++i) {
     EXPECT_TRUE(lines.holds(glm::mix(diagonal.points[0], diagonal.points[1], i / 1000.0))) << i;
@@ -84,10 +86,10 @@ TEST(Coincident, LongLinesFarFromTheOriginAreFound) {
 }
 
 TEST(Coincident, WidthsAndModelPointsGoWithThePieces) {
-  Path path = line({{0, 0}, {5, 0}, {10, 0}});
+  Path path = line_through({{0, 0}, {5, 0}, {10, 0}});
   path.width = {0.1, 0.2, 0.3};
   path.points3 = {{0, 0, 1}, {5, 0, 2}, {10, 0, 3}};
-  const PartedPath p = parted(path, on(line({{7.5, 0}, {20, 0}})), 0.3);
+  const PartedPath p = parted(path, on(line_through({{7.5, 0}, {20, 0}})), 0.3);
   ASSERT_EQ(p.off.size(), 1U);
   ASSERT_EQ(p.off[0].points.size(), 3U);
   ASSERT_EQ(p.off[0].width.size(), 3U);

@@ -16,7 +16,8 @@
 namespace burin {
 namespace {
 
-Path line(std::vector<Vec2> points, std::int32_t edge, double width = 0.25, bool visible = true) {
+Path line_of_edge(std::vector<Vec2> points, std::int32_t edge, double width = 0.25,
+                  bool visible = true) {
   Path p;
   p.kind = LineClass::Crease;
   p.source = {0, -1, edge};
@@ -33,7 +34,7 @@ Path circle(double radius, int n, double turn, std::int32_t edge) {
     const double a = turn + 2 * std::numbers::pi * i / n;
     points.emplace_back(radius * std::cos(a), radius * std::sin(a));
   }
-  Path p = line(std::move(points), edge);
+  Path p = line_of_edge(std::move(points), edge);
   p.closed = true;
   return p;
 }
@@ -50,15 +51,16 @@ std::vector<Path> kept(const std::vector<Path>& paths) {
 }
 
 TEST(OneLine, AHiddenOneUnderAVisibleOneIsNotDrawn) {
-  const auto paths = kept({line({{0, 0}, {20, 0}}, 1, 0.25, false), line({{0, 0}, {20, 0}}, 2)});
+  const auto paths =
+      kept({line_of_edge({{0, 0}, {20, 0}}, 1, 0.25, false), line_of_edge({{0, 0}, {20, 0}}, 2)});
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_TRUE(paths[0].visible);
   EXPECT_EQ(paths[0].also, (std::vector<PathSource>{{{0, -1, 1}, LineClass::Crease}}));
 }
 
 TEST(OneLine, TheWideOneStaysAndWhatIsLeftOfTheOtherGoesOn) {
-  const auto paths =
-      kept({line({{5, 0}, {15, 0}}, 1, 0.5), line({{0, 0.01}, {10, -0.01}, {30, 0}}, 2)});
+  const auto paths = kept({line_of_edge({{5, 0}, {15, 0}}, 1, 0.5),
+                           line_of_edge({{0, 0.01}, {10, -0.01}, {30, 0}}, 2)});
   ASSERT_EQ(paths.size(), 3U);
   EXPECT_EQ(paths[0].points.size(), 2U);
   for (const Path& piece : {paths[1], paths[2]}) {
@@ -73,13 +75,15 @@ TEST(OneLine, LinesThatCrossStayWhole) {
   for (const double degrees : {90.0, 30.0, 15.0}) {
     const double a = degrees * std::numbers::pi / 180;
     const Vec2 way(10 * std::cos(a), 10 * std::sin(a));
-    EXPECT_EQ(kept({line({{-10, 0}, {10, 0}}, 1), line({-way, way}, 2)}).size(), 2U) << degrees;
+    EXPECT_EQ(kept({line_of_edge({{-10, 0}, {10, 0}}, 1), line_of_edge({-way, way}, 2)}).size(), 2U)
+        << degrees;
     // One ends on the other: what lies in its ink may go.
-    const auto met = kept({line({{-10, 0}, {10, 0}}, 1), line({Vec2(0), way}, 2)});
+    const auto met = kept({line_of_edge({{-10, 0}, {10, 0}}, 1), line_of_edge({Vec2(0), way}, 2)});
     ASSERT_EQ(met.size(), 2U) << degrees;
     EXPECT_NEAR(length_of(met[1]), 10, kSameLine / std::sin(a) + 1e-9) << degrees;
   }
-  EXPECT_EQ(kept({line({{0, 0}, {10, 0}}, 1), line({{0, 0.1}, {10, 0.1}}, 2)}).size(), 2U)
+  EXPECT_EQ(
+      kept({line_of_edge({{0, 0}, {10, 0}}, 1), line_of_edge({{0, 0.1}, {10, 0.1}}, 2)}).size(), 2U)
       << "beside each other";
 }
 
@@ -95,9 +99,9 @@ TEST(OneLine, OneCircleOfTwoPolygonsIsDrawnOnce) {
 
 TEST(OneLine, WhatIsLeftOfAClosedLineIsOnePiece) {
   // A square that begins in the middle of a side; another line lies on the far side.
-  Path square = line({{5, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, 2);
+  Path square = line_of_edge({{5, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, 2);
   square.closed = true;
-  const auto paths = kept({line({{0, 10}, {10, 10}}, 1, 0.5), square});
+  const auto paths = kept({line_of_edge({{0, 10}, {10, 10}}, 1, 0.5), square});
   ASSERT_EQ(paths.size(), 2U);
   EXPECT_FALSE(paths[1].closed);
   EXPECT_NEAR(length_of(paths[1]), 30, 4 * kSameLine);
@@ -107,7 +111,7 @@ TEST(OneLine, WhatIsLeftOfAClosedLineIsOnePiece) {
 /// Thinned to its ends, an edge that is seen from its side turns back at a corner.
 TEST(OneLine, ALineThatTurnsBackIsDrawnOnce) {
   for (const bool closed : {false, true}) {
-    Path back = line({{0, 0}, {20, 0}, {8, 0}, {0, 0}}, 1, 0.25, false);
+    Path back = line_of_edge({{0, 0}, {20, 0}, {8, 0}, {0, 0}}, 1, 0.25, false);
     if (closed) back.points.pop_back(), back.points3.pop_back();
     back.closed = closed;
     double length = 0;
@@ -135,15 +139,15 @@ TEST(OneLine, ACircleSeenFromItsSideIsDrawnOnce) {
 }
 
 TEST(OneLine, OfHiddenLinesOnEachOtherOneStays) {
-  const auto paths =
-      kept({line({{0, 0}, {20, 0}}, 1, 0.18, false), line({{2, 0}, {12, 0}}, 2, 0.18, false)});
+  const auto paths = kept({line_of_edge({{0, 0}, {20, 0}}, 1, 0.18, false),
+                           line_of_edge({{2, 0}, {12, 0}}, 2, 0.18, false)});
   double length = 0;
   for (const Path& p : paths) length += length_of(p);
   EXPECT_NEAR(length, 20, 4 * kSameLine);
 }
 
 TEST(OneLine, StrokesAreLeftAlone) {
-  std::vector<Path> strokes{line({{0, 0}, {9, 0}}, -1), line({{0, 0}, {9, 0}}, -1)};
+  std::vector<Path> strokes{line_of_edge({{0, 0}, {9, 0}}, -1), line_of_edge({{0, 0}, {9, 0}}, -1)};
   for (Path& p : strokes) p.kind = LineClass::Stroke;
   EXPECT_EQ(kept(strokes).size(), 2U);
 }
@@ -151,7 +155,7 @@ TEST(OneLine, StrokesAreLeftAlone) {
 TEST(Dashes, BeginAndEndEachLine) {
   const std::vector<double> dashes{2, 1};
   for (const double length : {1.0, 3.0, 7.7, 20.0, 101.3}) {
-    const auto fitted = fitted_dashes(dashes, line({{0, 0}, {length, 0}}, 1));
+    const auto fitted = fitted_dashes(dashes, line_of_edge({{0, 0}, {length, 0}}, 1));
     ASSERT_EQ(fitted.size(), 2U);
     const double period = fitted[0] + fitted[1], rest = std::fmod(length, period);
     EXPECT_NEAR(rest == 0 ? period : rest, fitted[0], 1e-9) << length;
@@ -173,23 +177,26 @@ TEST(JoinedLines, OfOnePartGoOnStraightAndDashedOnesRoundBends) {
     join_lines(layers, context);
     return layers.front().paths;
   };
-  auto paths = joined({line({{0, 0}, {10, 0}}, 1), line({{25, 0}, {10, 0}}, 2)});
+  auto paths = joined({line_of_edge({{0, 0}, {10, 0}}, 1), line_of_edge({{25, 0}, {10, 0}}, 2)});
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_EQ(paths[0].points.size(), 2U);
   EXPECT_EQ(paths[0].source.edge, 2) << "the longest";
   EXPECT_EQ(paths[0].also, (std::vector<PathSource>{{{0, -1, 1}, LineClass::Crease}}));
   // Round a corner, in a bend, of another part, where three meet, at another depth: as they were.
-  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), line({{10, 0}, {10, 9}}, 2)}).size(), 2U);
-  EXPECT_EQ(joined({line({{0, 0}, {5, 0}, {10, 0.1}}, 1), line({{10, 0.1}, {20, 0.4}}, 2)}).size(),
+  EXPECT_EQ(
+      joined({line_of_edge({{0, 0}, {10, 0}}, 1), line_of_edge({{10, 0}, {10, 9}}, 2)}).size(), 2U);
+  EXPECT_EQ(joined({line_of_edge({{0, 0}, {5, 0}, {10, 0.1}}, 1),
+                    line_of_edge({{10, 0.1}, {20, 0.4}}, 2)})
+                .size(),
             2U);
-  Path other = line({{10, 0}, {20, 0}}, 2);
+  Path other = line_of_edge({{10, 0}, {20, 0}}, 2);
   other.source.part = 1;
-  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), other}).size(), 2U);
-  Path deep = line({{10, 0}, {20, 0}}, 2);
+  EXPECT_EQ(joined({line_of_edge({{0, 0}, {10, 0}}, 1), other}).size(), 2U);
+  Path deep = line_of_edge({{10, 0}, {20, 0}}, 2);
   for (Vec3& p : deep.points3) p.z = 5;
-  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), deep}).size(), 2U);
-  paths = joined({line({{0, 0}, {5, 0}, {10, 0.1}}, 1, 0.18, false),
-                  line({{10, 0.1}, {20, 0.4}}, 2, 0.18, false)});
+  EXPECT_EQ(joined({line_of_edge({{0, 0}, {10, 0}}, 1), deep}).size(), 2U);
+  paths = joined({line_of_edge({{0, 0}, {5, 0}, {10, 0.1}}, 1, 0.18, false),
+                  line_of_edge({{10, 0.1}, {20, 0.4}}, 2, 0.18, false)});
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_EQ(paths[0].points3.size(), paths[0].points.size());
 }

@@ -18,7 +18,7 @@ namespace {
 
 using test::Probe;
 
-std::shared_ptr<const Surface> exact(const NurbsData& nurbs) {
+std::shared_ptr<const Surface> exact_surface(const NurbsData& nurbs) {
   RunContext context;
   return ParametricForm({make_nurbs_chart(nurbs)}).realise({.tolerance = 0.01}, context);
 }
@@ -54,7 +54,7 @@ std::vector<Probe> many(const Surface& s) {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 TEST(TextureImage, RunsAcrossTheGradientOfThePicture) {
-  const auto s = exact(sheet());
+  const auto s = exact_surface(sheet());
   const std::vector<const Surface*> surfaces{s.get()};
   const auto waves = image(200, 100, [](double u, double v) {
     return 0.5 + 0.2 * std::sin(kTurn * u) + 0.2 * std::cos(kTurn * 2 * v);
@@ -76,7 +76,7 @@ TEST(TextureImage, RunsAcrossTheGradientOfThePicture) {
 }
 
 TEST(TextureImage, HasNoDirectionWhereThePictureIsEvenOrThereIsNoUv) {
-  const auto s = exact(sheet());
+  const auto s = exact_surface(sheet());
   const auto even = image(20, 20, [](double, double) { return 0.4; });
   const Field field = field::texture_image({s.get()}, even, 0.01);
   for (const Probe& p : test::probes(*s)) EXPECT_FALSE(test::direction(field, p.query()));
@@ -95,7 +95,7 @@ TEST(TextureImage, BlurTakesGrainAway) {
     i = i * 1103515245u + 12345u;
     return 0.3 * std::sin(kTurn * u) + 0.1 * ((i >> 16) % 100) / 100.0 + 0.4;
   });
-  const auto s = exact(sheet());
+  const auto s = exact_surface(sheet());
   const auto off = [&](double blur) {
     const Field field = field::texture_image({s.get()}, grainy, blur);
     double sum = 0;
@@ -113,7 +113,7 @@ TEST(TextureImage, BlurTakesGrainAway) {
 }
 
 TEST(TextureVector, IsTheParameterLineWhereOneOfThemStands) {
-  const auto s = exact(test::torus_nurbs(10, 4));
+  const auto s = exact_surface(test::torus_nurbs(10, 4));
   for (const bool u : {true, false}) {
     const Field field = field::texture_vector({s.get()}, u ? "1" : "0", u ? "0" : "1");
     for (const Probe& p : test::probes(*s)) {
@@ -126,7 +126,7 @@ TEST(TextureVector, IsTheParameterLineWhereOneOfThemStands) {
 }
 
 TEST(TextureVector, TurnsAsItsFormulasSay) {
-  const auto s = exact(sheet());
+  const auto s = exact_surface(sheet());
   // Circles about the middle of the sheet, as u and v see them.
   const Field field = field::texture_vector({s.get()}, "0.5 - v", "u - 0.5");
   for (const Probe& p : many(*s)) {

@@ -24,7 +24,8 @@ Part part_of(const ModelPtr& model, const Placement& placement) {
   return {"part", "", std::make_shared<BrepForm>(model, placement)};
 }
 
-Drawing draw(std::vector<Part> parts, const View& view, const std::string& style = "outline") {
+Drawing draw_parts(std::vector<Part> parts, const View& view,
+                   const std::string& style = "outline") {
   Scene scene;
   scene.parts = std::move(parts);
   ViewOptions options;
@@ -52,7 +53,7 @@ std::map<std::string, double> lengths(const Drawing& drawing) {
   return sums;
 }
 
-double distance(Vec2 p, Vec2 a, Vec2 b) {
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 e = b - a;
   const double l2 = glm::dot(e, e);
   const double t = l2 > 0 ? std::clamp(glm::dot(p - a, e) / l2, 0.0, 1.0) : 0;
@@ -71,7 +72,7 @@ double farthest(const Drawing& a, const Drawing& b) {
           for (const Path& q : other.paths) {
             const std::size_t n = q.points.size();
             for (std::size_t i = 0; i + (q.closed ? 0 : 1) < n; ++i) {
-              least = std::min(least, distance(p, q.points[i], q.points[(i + 1) % n]));
+              least = std::min(least, distance_to_segment(p, q.points[i], q.points[(i + 1) % n]));
             }
           }
         }
@@ -99,14 +100,14 @@ TEST_P(SameDrawing, ForEverySizePlaceAndTurn) {
                                   {25.4 * rotation(-111, {3, -1, 0.5}), Vec3(-100, 30, 8)}};
   for (const ModelPtr& model : models) {
     const View view{{1, -0.8, 0.6}, {0, 0, 1}, GetParam()};
-    const Drawing base = draw({part_of(model, {})}, view);
+    const Drawing base = draw_parts({part_of(model, {})}, view);
     const auto expected = lengths(base);
     ASSERT_GT(expected.at("outline"), 300);
     for (const Placement& placement : placements) {
       View turned = view;
       turned.direction = placement.linear * view.direction;
       turned.up = placement.linear * view.up;
-      const Drawing same = draw({part_of(model, placement)}, turned);
+      const Drawing same = draw_parts({part_of(model, placement)}, turned);
       const auto found = lengths(same);
       ASSERT_EQ(found.size(), expected.size());
       for (const auto& [layer, sum] : expected) EXPECT_NEAR(found.at(layer), sum, 0.05) << layer;
@@ -130,8 +131,8 @@ TEST(BrepDrawing, AShaftEndsWhereItEntersItsHole) {
   const Box3 box = BrepForm(plate, {}).bounds(Mat3(1));
   const Vec3 c = box.center();
   const View view{{0.3, -1, 0.7}, {0, 0, 1}, std::nullopt};
-  const Drawing drawing =
-      draw({part_of(plate, {}), part_of(shaft, {Mat3(1), Vec3(c.x, c.y, box.min.z - 2)})}, view);
+  const Drawing drawing = draw_parts(
+      {part_of(plate, {}), part_of(shaft, {Mat3(1), Vec3(c.x, c.y, box.min.z - 2)})}, view);
   // Both contours of the shaft are straight, and vertical on paper; of each, what stands out of the
   // top is seen. The plate hides what is below.
   const Vec3 d = glm::normalize(view.direction);
@@ -151,7 +152,8 @@ TEST(BrepDrawing, AShaftEndsWhereItEntersItsHole) {
 TEST(BrepDrawing, EveryLineKnowsItsFaceOrEdge) {
   const ModelPtr model = make_brep_model(test::filleted_box_shape(0.4));
   const auto counts = count(*model);
-  const Drawing drawing = draw({part_of(model, {})}, {{1, -0.8, 0.6}, {0, 0, 1}, std::nullopt});
+  const Drawing drawing =
+      draw_parts({part_of(model, {})}, {{1, -0.8, 0.6}, {0, 0, 1}, std::nullopt});
   EXPECT_EQ(drawing.parts.at(0).faces, counts.faces);
   std::size_t smooth = 0;
   for (const Layer& layer : drawing.layers) {

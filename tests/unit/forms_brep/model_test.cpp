@@ -29,7 +29,7 @@
 namespace burin::test {
 namespace {
 
-TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> shapes) {
+TopoDS_Compound compound_of(std::initializer_list<TopoDS_Shape> shapes) {
   TopoDS_Compound c;
   BRep_Builder builder;
   builder.MakeCompound(c);
@@ -147,7 +147,7 @@ TEST(BrepModel, LocationsAreBakedIn) {
   RunContext context;
   const double volume_there = volume(*make_brep_model(shape)->tessellate(0.01, context, nullptr));
   shape.Move(TopLoc_Location(move));
-  const ModelPtr model = make_brep_model(compound({shape}));
+  const ModelPtr model = make_brep_model(compound_of({shape}));
   const auto mesh = model->tessellate(0.01, context, nullptr);
   EXPECT_EQ(defects(*model, *mesh), "");
   EXPECT_NEAR(volume(*mesh), volume_there, 1e-9 * volume_there);
@@ -167,7 +167,7 @@ TEST(BrepModel, TheSameTrianglesWhateverWasAskedForBefore) {
 
 TEST(BrepModel, ManyThreadsGetTheSame) {
   const TopoDS_Shape shape = plate_with_hole_shape();
-  const ModelPtr model = make_brep_model(compound({shape, dome()}));
+  const ModelPtr model = make_brep_model(compound_of({shape, dome()}));
   const std::vector<double> tolerances{0.1, 0.02, 0.05, 0.01};
   std::vector<std::shared_ptr<const ChartMesh>> got(8);
   std::vector<double> sums(8, 0.0);
@@ -207,7 +207,7 @@ TEST(BrepModel, ReadsItsOwnText) {
 
 TEST(BrepBroken, NoFaces) {
   EXPECT_THROW(make_brep_model(TopoDS_Shape()), GeometryError);
-  EXPECT_THROW(make_brep_model(compound({})), GeometryError);
+  EXPECT_THROW(make_brep_model(compound_of({})), GeometryError);
   EXPECT_THROW(make_brep_model(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape()),
                GeometryError);
 }
@@ -246,7 +246,7 @@ TEST(BrepBroken, WiresThatDoNotCloseAndInfiniteFacesAreNamed) {
   builder.MakeFace(open, new Geom_Plane(gp_Pln()), 1e-7);
   builder.Add(open, wire.Wire());
   const TopoDS_Face infinite = BRepBuilderAPI_MakeFace(gp_Pln()).Face();
-  const ModelPtr model = make_brep_model(compound({open, box_shape(1, 2, 3), infinite}));
+  const ModelPtr model = make_brep_model(compound_of({open, box_shape(1, 2, 3), infinite}));
   ASSERT_EQ(model->face_count(), 8u);
   RunContext context;
   Diagnostics diagnostics;
@@ -285,7 +285,7 @@ TEST(BrepBroken, EdgesWithThreeFacesArePartedIntoManifolds) {
     wire.Add(BRepBuilderAPI_MakeEdge(TopExp::LastVertex(cd), TopExp::FirstVertex(shared)).Edge());
     return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
   };
-  const ModelPtr model = make_brep_model(compound({box, flap(-1, 0), flap(-1, -1)}));
+  const ModelPtr model = make_brep_model(compound_of({box, flap(-1, 0), flap(-1, -1)}));
   RunContext context;
   const auto mesh = model->tessellate(1e-2, context, nullptr);
   EXPECT_NO_THROW(build_topology({mesh->positions, mesh->triangles}, context));

@@ -12,7 +12,7 @@
 namespace burin::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 struct Case {
   std::string name;
@@ -27,20 +27,21 @@ std::vector<Case> cases() {
   const double a = 4 - 2 * r, b = 3 - 2 * r, c = 2 - 2 * r;
   return {
       {"Box", box_shape(1, 2, 3), 22, 6, 2, 12, 0, 0},
-      {"Cylinder", cylinder_shape(2, 5), 28 * kPi, 20 * kPi, 2, 2, 0, 1},
-      {"ConeWithTip", BRepPrimAPI_MakeCone(2, 0, 3).Shape(), kPi * 2 * (2 + slant), 4 * kPi, 2, 1,
-       0, 1},
-      {"ConeTipBelow", BRepPrimAPI_MakeCone(0, 2, 3).Shape(), kPi * 2 * (2 + slant), 4 * kPi, 2, 1,
-       0, 1},
-      {"Sphere", BRepPrimAPI_MakeSphere(3).Shape(), 36 * kPi, 36 * kPi, 2, 0, 0, 1},
-      {"Torus", BRepPrimAPI_MakeTorus(3, 1).Shape(), 12 * kPi * kPi, 6 * kPi * kPi, 0, 0, 0, 2},
+      {"Cylinder", cylinder_shape(2, 5), 28 * kHalfTurn, 20 * kHalfTurn, 2, 2, 0, 1},
+      {"ConeWithTip", BRepPrimAPI_MakeCone(2, 0, 3).Shape(), kHalfTurn * 2 * (2 + slant),
+       4 * kHalfTurn, 2, 1, 0, 1},
+      {"ConeTipBelow", BRepPrimAPI_MakeCone(0, 2, 3).Shape(), kHalfTurn * 2 * (2 + slant),
+       4 * kHalfTurn, 2, 1, 0, 1},
+      {"Sphere", BRepPrimAPI_MakeSphere(3).Shape(), 36 * kHalfTurn, 36 * kHalfTurn, 2, 0, 0, 1},
+      {"Torus", BRepPrimAPI_MakeTorus(3, 1).Shape(), 12 * kHalfTurn * kHalfTurn,
+       6 * kHalfTurn * kHalfTurn, 0, 0, 0, 2},
       {"FilletedBox", filleted_box_shape(r),
-       2 * (a * b + b * c + c * a) + 2 * kPi * r * (a + b + c) + 4 * kPi * r * r,
-       a * b * c + 2 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) +
-           4 * kPi * r * r * r / 3,
+       2 * (a * b + b * c + c * a) + 2 * kHalfTurn * r * (a + b + c) + 4 * kHalfTurn * r * r,
+       a * b * c + 2 * r * (a * b + b * c + c * a) + kHalfTurn * r * r * (a + b + c) +
+           4 * kHalfTurn * r * r * r / 3,
        2, 0, 48, 0},
-      {"PlateWithHole", plate_with_hole_shape(), 196 - 8 * kPi + 4 * kPi, 80 - 4 * kPi, 0, 14, 0,
-       1},
+      {"PlateWithHole", plate_with_hole_shape(), 196 - 8 * kHalfTurn + 4 * kHalfTurn,
+       80 - 4 * kHalfTurn, 0, 14, 0, 1},
   };
 }
 

@@ -18,7 +18,7 @@ namespace {
 using test::Charted;
 using test::kPi;
 
-Camera camera_for(const ChartMesh& mesh, const ViewOptions& view) {
+Camera camera_on(const ChartMesh& mesh, const ViewOptions& view) {
   return Camera::fit(
       [&](const Mat3& axes) {
         Box3 box;
@@ -49,7 +49,7 @@ struct Cut {
       : charted(std::move(shape)),
         triangles_before(charted.mesh.triangles.size()),
         area_before(area_of(charted.mesh)),
-        camera(camera_for(charted.mesh, view)) {
+        camera(camera_on(charted.mesh, view)) {
     cut_along_contours(charted.mesh, AtlasSampler(charted.atlas), camera, options, context);
     proxy = assemble_proxy(proxy_draft(charted.mesh), context);
     const ProxyMesh* pointer = &proxy;
@@ -164,7 +164,7 @@ double distance_to(const std::vector<Curve3>& curves, const Camera& camera, Vec3
 }
 
 /// Largest distance on paper from the analytic zero set to the contours.
-double farthest(const Cut& cut, int n = 400) {
+double farthest_off(const Cut& cut, int n = 400) {
   double worst = 0;
   for (const bool swap : {false, true}) {
     for (const Vec3& p : zero_set(cut.charted.atlas, 0, cut.camera, n, swap)) {
@@ -238,7 +238,7 @@ TEST(ContourCut, SphereHasItsCircle) {
       expect_closed(cut);
       EXPECT_EQ(cut.contours.size(), 1u);
       EXPECT_TRUE(cut.contours[0].closed);
-      EXPECT_LT(farthest(cut), 0.01) << n;
+      EXPECT_LT(farthest_off(cut), 0.01) << n;
       EXPECT_LT(largest_error(cut), 1e-9);
       expect_points_are_vertices(cut);
       EXPECT_GT(area_of(cut.charted.mesh), cut.area_before);
@@ -253,7 +253,7 @@ TEST(ContourCut, TorusHasBothItsLoops) {
       const Cut cut(test::charted_torus(3, 1, 2 * n, n), view);
       expect_sound(cut);
       expect_closed(cut);
-      EXPECT_LT(farthest(cut), 0.01) << n;
+      EXPECT_LT(farthest_off(cut), 0.01) << n;
       EXPECT_LT(largest_error(cut), 1e-9);
       expect_points_are_vertices(cut);
       EXPECT_LT(area_of(cut.charted.mesh), 4 * kPi * kPi * 3 * 1.0001);
@@ -385,7 +385,7 @@ TEST(ContourCut, SmallBumpsThatNoCornerSeesAreFound) {
     const Cut cut(std::move(dome), {.direction = {0.1, -1, 0.3}});
     expect_sound(cut);
     ASSERT_GE(cut.contours.size(), 1u) << at.x << " " << at.y;  // cut at cusps: an open sheet
-    EXPECT_LT(farthest(cut), 0.01);
+    EXPECT_LT(farthest_off(cut), 0.01);
     EXPECT_LT(largest_error(cut), 1e-8);
   }
 }
@@ -396,7 +396,7 @@ TEST(ContourCut, ShallowDentsOfExactSurfacesAreNoNoise) {
   const Cut cut(test::charted_graph(4, 30, graph), {.direction = {0, -1, 0.11}});
   expect_sound(cut);
   ASSERT_GE(cut.contours.size(), 1u);
-  EXPECT_LT(farthest(cut, 100), 0.01);
+  EXPECT_LT(farthest_off(cut, 100), 0.01);
 }
 
 TEST(ContourCut, WavesHaveAllTheirContours) {
@@ -406,7 +406,7 @@ TEST(ContourCut, WavesHaveAllTheirContours) {
   for (const int n : {12, 40}) {
     const Cut cut(test::charted_graph(6, n, graph), {.direction = {0.4, -1, 0.35}});
     expect_sound(cut);
-    EXPECT_LT(farthest(cut, 90), 0.01) << n;
+    EXPECT_LT(farthest_off(cut, 90), 0.01) << n;
     EXPECT_LT(largest_error(cut), 1e-8);
     expect_points_are_vertices(cut);
   }
@@ -458,7 +458,7 @@ TEST(ContourCut, MirroredPartsAreCutToo) {
                 views()[1]);
   expect_sound(cut);
   expect_closed(cut);
-  EXPECT_LT(farthest(cut), 0.01);
+  EXPECT_LT(farthest_off(cut), 0.01);
 }
 
 TEST(ContourCut, SameBytesForAnyNumberOfThreads) {
@@ -559,7 +559,7 @@ TEST(ContourCut, NothingToCutLeavesTheMeshAsItWas) {
   Charted c = test::charted_graph(3, 6, graph);
   const ChartMesh before = c.mesh;
   cut_along_contours(c.mesh, AtlasSampler(c.atlas),
-                     camera_for(c.mesh, {.direction = {0, 0, 1}, .up = {0, 1, 0}}), {}, context);
+                     camera_on(c.mesh, {.direction = {0, 0, 1}, .up = {0, 1, 0}}), {}, context);
   EXPECT_EQ(c.mesh.triangles, before.triangles);
   EXPECT_EQ(c.mesh.positions, before.positions);
   EXPECT_EQ(c.mesh.on_contour, before.on_contour);

@@ -16,12 +16,14 @@ using test::grid_surface;
 using test::kPi;
 
 /// The point at (u,v), found from triangle 0.
-SurfacePoint at(const Surface& s, Vec2 uv) { return s.lift(s.to_proxy({0, Vec3(uv, 0), Vec3(0)})); }
+SurfacePoint place_at(const Surface& s, Vec2 uv) {
+  return s.lift(s.to_proxy({0, Vec3(uv, 0), Vec3(0)}));
+}
 
 TEST(ChartedMarch, GreatCirclesOfASphereCrossTheSeamAndClose) {
   const auto s = grid_surface(test::ellipsoid_chart(Vec3(2)), 40, 20);
   for (int i = 0; i < 40; ++i) {
-    const SurfacePoint p = at(*s, {0.15 * i + 0.01, -1.2 + 0.06 * i});
+    const SurfacePoint p = place_at(*s, {0.15 * i + 0.01, -1.2 + 0.06 * i});
     const Frame f = s->frame(p);
     EXPECT_NEAR(glm::length(p.position), 2, 1e-12);
     const double a = 0.31 + 0.7 * i;
@@ -73,7 +75,7 @@ TEST(ChartedSurface, APlaceOnATriangleWithoutAreaIsFoundInIt) {
 TEST(ChartedMarch, AShortStepIsExactTo1e9OfTheSize) {
   const auto s = grid_surface(test::ellipsoid_chart(Vec3(2)), 40, 20);
   for (int i = 0; i < 100; ++i) {
-    const SurfacePoint p = at(*s, {0.062 * i, -1.4 + 0.028 * i});
+    const SurfacePoint p = place_at(*s, {0.062 * i, -1.4 + 0.028 * i});
     const Frame f = s->frame(p);
     const Vec3 t = std::cos(1.7 * i) * f.d1 + std::sin(1.7 * i) * f.d2;
     const MarchStep m = s->march(p, t, 0.05);
@@ -87,7 +89,7 @@ TEST(ChartedMarch, PathsThatPassNearAPoleSurvive) {
   const auto s = grid_surface(test::ellipsoid_chart(Vec3(1)), 30, 15);
   for (const double miss : {0.1, 1e-2, 1e-3, 1e-4, 1e-6}) {
     // Along a great circle whose nearest place to the pole is `miss` away.
-    const SurfacePoint p = at(*s, {0.4, 0.9});
+    const SurfacePoint p = place_at(*s, {0.4, 0.9});
     const Vec3 pole(0, 0, 1), side = glm::normalize(glm::cross(pole, p.position));
     const Vec3 target = std::cos(miss) * pole + std::sin(miss) * side;
     const Vec3 t = glm::normalize(reject(target, p.position));
@@ -100,7 +102,7 @@ TEST(ChartedMarch, PathsThatPassNearAPoleSurvive) {
 
 TEST(ChartedMarch, APathIntoAPoleSaysSo) {
   const auto s = grid_surface(test::ellipsoid_chart(Vec3(1)), 30, 15);
-  const SurfacePoint p = at(*s, {0.4, 0.9});
+  const SurfacePoint p = place_at(*s, {0.4, 0.9});
   const Frame f = s->frame(p);
   const MarchStep m = s->march(p, f.dv, 2);
   EXPECT_EQ(m.stop, MarchStop::Singular);
@@ -111,7 +113,7 @@ TEST(ChartedMarch, APathIntoAPoleSaysSo) {
 TEST(ChartedMarch, TorusWrapsBothWaysAndKeepsClairautsConstant) {
   const auto s = grid_surface(test::torus_chart(3, 1), 48, 24);
   // The outer equator closes.
-  const SurfacePoint e = at(*s, {1.0, 0.0});
+  const SurfacePoint e = place_at(*s, {1.0, 0.0});
   const MarchStep round = s->march(e, Vec3(-std::sin(1.0), std::cos(1.0), 0), 8 * kPi);
   ASSERT_EQ(round.stop, MarchStop::Completed);
   EXPECT_LT(glm::distance(round.end.position, e.position), 1e-7);
@@ -121,7 +123,7 @@ TEST(ChartedMarch, TorusWrapsBothWaysAndKeepsClairautsConstant) {
   EXPECT_LT(glm::distance(tube.end.position, e.position), 1e-7);
   // r cos(angle to the parallel) is constant along any geodesic.
   for (int i = 0; i < 20; ++i) {
-    const SurfacePoint p = at(*s, {0.3 * i, 0.31 * i});
+    const SurfacePoint p = place_at(*s, {0.3 * i, 0.31 * i});
     const Frame f = s->frame(p);
     const Vec3 t = std::cos(0.9 * i) * f.d1 + std::sin(0.9 * i) * f.d2;
     const auto clairaut = [](Vec3 q, Vec3 d) { return q.x * d.y - q.y * d.x; };
@@ -135,13 +137,13 @@ TEST(ChartedMarch, TorusWrapsBothWaysAndKeepsClairautsConstant) {
 TEST(ChartedMarch, SeamsThatArePathsThemselvesAreNoObstacle) {
   const auto s = grid_surface(test::torus_chart(3, 1), 48, 24);
   for (const Vec2 uv : {Vec2(1.0, 0.0), Vec2(0.0, 0.7), Vec2(0.0, 0.0), Vec2(0.0, kPi)}) {
-    const Frame f = s->frame(at(*s, uv));
+    const Frame f = s->frame(place_at(*s, uv));
     for (const Vec3 t : {f.du, f.dv, -f.du, -f.dv}) {
       if (uv.y == 0.7 && std::abs(glm::dot(t, f.du)) > 1) continue;  // no geodesic
       const double turn = std::abs(glm::dot(glm::normalize(t), glm::normalize(f.du))) > 0.5
                               ? 2 * kPi * glm::length(f.du)
                               : 2 * kPi;
-      const MarchStep m = s->march(at(*s, uv), t, turn);
+      const MarchStep m = s->march(place_at(*s, uv), t, turn);
       ASSERT_EQ(m.stop, MarchStop::Completed);
       EXPECT_LT(glm::distance(m.end.position, f.position), 1e-6);
     }
@@ -151,7 +153,7 @@ TEST(ChartedMarch, SeamsThatArePathsThemselvesAreNoObstacle) {
 TEST(ChartedMarch, BoundariesStopExactly) {
   const auto s = grid_surface(test::cylinder_chart(2, 5), 24, 6);
   for (int i = 0; i < 30; ++i) {
-    const SurfacePoint p = at(*s, {0.2 * i, 1 + 0.1 * i});
+    const SurfacePoint p = place_at(*s, {0.2 * i, 1 + 0.1 * i});
     const double a = 0.4 + 0.08 * i;  // a helix that climbs
     const Vec3 t = std::cos(a) * glm::normalize(s->frame(p).du) + std::sin(a) * Vec3(0, 0, 1);
     const MarchStep m = s->march(p, t, 100);
@@ -192,7 +194,7 @@ TEST(ChartedMarch, APlacementThatMirrorsAndScalesKeepsThePath) {
   const auto a = grid_surface(test::torus_chart(3, 1), 48, 24);
   const auto b = grid_surface(test::torus_chart(3, 1), 48, 24, place);
   for (int i = 0; i < 20; ++i) {
-    const SurfacePoint p = at(*a, {0.3 * i, 0.31 * i}), q = at(*b, {0.3 * i, 0.31 * i});
+    const SurfacePoint p = place_at(*a, {0.3 * i, 0.31 * i}), q = place_at(*b, {0.3 * i, 0.31 * i});
     const Frame f = a->frame(p), g = b->frame(q);
     EXPECT_LT(glm::distance(g.normal, Vec3(f.normal.x, -f.normal.y, f.normal.z)), 1e-12);
     const Vec3 t = std::cos(0.9 * i) * f.d1 + std::sin(0.9 * i) * f.d2;

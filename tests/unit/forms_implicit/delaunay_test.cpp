@@ -9,14 +9,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <thread>
 
 namespace burin {
 namespace {
 
 using namespace implicit;
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Meshed {
   std::shared_ptr<const ImplicitFunction> function;
@@ -75,7 +74,8 @@ double least_angle(const TriMesh& m) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 p = m.positions[t[k]], u = glm::normalize(m.positions[t[(k + 1) % 3]] - p),
                  v = glm::normalize(m.positions[t[(k + 2) % 3]] - p);
-      least = std::min(least, std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0)) * 180 / kPi);
+      least = std::min(least,
+                       std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0)) * 180 / std::numbers::pi);
     }
   }
   return least;
@@ -88,7 +88,8 @@ TEST(ImplicitDelaunay, ATorusHasEvenTriangles) {
   EXPECT_GT(least_angle(m.proxy().mesh), 24);
   EXPECT_LE(m.proxy().tolerance, 0.02);
   EXPECT_TRUE(m.diagnostics.empty());
-  EXPECT_NEAR(volume(m.proxy().mesh), 6 * kPi * kPi, 0.01 * 12 * kPi * kPi);
+  EXPECT_NEAR(volume(m.proxy().mesh), 6 * std::numbers::pi * std::numbers::pi,
+              0.01 * 12 * std::numbers::pi * std::numbers::pi);
 }
 
 TEST(ImplicitDelaunay, ACubeMinusABallHasItsTrueEdges) {
@@ -115,7 +116,7 @@ TEST(ImplicitDelaunay, ACubeMinusABallHasItsTrueEdges) {
     }
   }
   EXPECT_NEAR(edges, 24, 1e-9);
-  const double rim = 6 * 2 * kPi * std::sqrt(1.44 - 1);
+  const double rim = 6 * 2 * std::numbers::pi * std::sqrt(1.44 - 1);
   EXPECT_LT(rims, rim);
   EXPECT_GT(rims, 0.99 * rim);  // chords
 }
@@ -142,7 +143,7 @@ TEST(ImplicitDelaunay, InnerHollowsAreFound) {
   const Meshed m = refine(shell(sphere(1), 0.1), 0.02);
   expect_sound(m);
   EXPECT_EQ(m.proxy().topology.component_closed.size(), 2u);
-  const auto ball = [](double r) { return 4 * kPi / 3 * r * r * r; };
+  const auto ball = [](double r) { return 4 * std::numbers::pi / 3 * r * r * r; };
   EXPECT_NEAR(volume(m.proxy().mesh), ball(1.05) - ball(0.95), 0.01);
 }
 

@@ -7,14 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace burin {
 namespace {
 
 using namespace implicit;
-
-constexpr double kPi = 3.14159265358979323846;
 
 const Expression kX = Expression::x(), kY = Expression::y(), kZ = Expression::z();
 
@@ -352,7 +351,7 @@ TEST(Expression, ClippedFunctionsAreClosedByTheBox) {
 }
 
 TEST(Expression, ConstantsFold) {
-  const auto f = make_function(square(Expression(3.0)) + sin(Expression(0.5 * kPi)));
+  const auto f = make_function(square(Expression(3.0)) + sin(Expression(0.5 * std::numbers::pi)));
   EXPECT_EQ(f->value({1, 2, 3}), 10);
   EXPECT_EQ(f->range(ImplicitFunction::everywhere()).min, 10);
 }

@@ -24,8 +24,6 @@ using test::around;
 using test::find;
 using test::Found;
 
-constexpr double kPi = std::numbers::pi;
-
 std::shared_ptr<const Form> form_of(const Expression& e) {
   return std::make_shared<ImplicitForm>(make_function(e), std::optional<Box3>(), RunContext());
 }
@@ -110,7 +108,7 @@ TEST(ImplicitSpecks, ACutThroughOneHasItsArea) {
     all += area;
     if (proxy.mesh.positions[proxy.mesh.triangles[f][0]].x > 11) speck += area;
   }
-  EXPECT_NEAR(speck, kPi * 0.05 * 0.05, 0.1 * kPi * 0.05 * 0.05);
+  EXPECT_NEAR(speck, std::numbers::pi * 0.05 * 0.05, 0.1 * std::numbers::pi * 0.05 * 0.05);
   EXPECT_NEAR(all - speck, 100, 1e-3);
 }
 

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <thread>
 
@@ -19,8 +20,6 @@ namespace burin {
 namespace {
 
 using namespace implicit;
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Made {
   std::shared_ptr<const ImplicitFunction> function;
@@ -51,13 +50,13 @@ Camera camera(const Form& form, Vec3 direction, std::optional<double> perspectiv
   return Camera::fit([&](const Mat3& axes) { return form.bounds(axes); }, view);
 }
 
-long euler(const ProxyMesh& p) {
+long euler_of(const ProxyMesh& p) {
   return static_cast<long>(p.mesh.positions.size()) -
          static_cast<long>(p.mesh.triangles.size()) / 2;
 }
 
 /// Closed, and all vertices on f = 0 within 1e-9 of the size.
-void expect_sound(const Made& m) {
+void expect_sound_surface(const Made& m) {
   const ProxyMesh& p = m.proxy();
   const double size = p.mesh.bounds().diagonal();
   for (const HalfEdge o : p.topology.opposite) ASSERT_NE(o, kNoHalfEdge);
@@ -78,15 +77,15 @@ std::size_t crease_edges(const ProxyMesh& p, EdgeKind kind) {
   return static_cast<std::size_t>(std::count(p.edge_kind.begin(), p.edge_kind.end(), kind)) / 2;
 }
 
-bool has(const Diagnostics& d, const std::string& code) {
+bool reports(const Diagnostics& d, const std::string& code) {
   return std::any_of(d.entries().begin(), d.entries().end(),
                      [&](const Diagnostic& e) { return e.code == code; });
 }
 
 TEST(ImplicitMesh, ATorusIsClosedAndOfGenusOne) {
   const Made m = make(torus(3, 1));
-  expect_sound(m);
-  EXPECT_EQ(euler(m.proxy()), 0);
+  expect_sound_surface(m);
+  EXPECT_EQ(euler_of(m.proxy()), 0);
   EXPECT_EQ(m.proxy().region_count, 1);
   EXPECT_LE(m.proxy().tolerance, 0.02);
   EXPECT_TRUE(m.diagnostics.empty());
@@ -94,8 +93,8 @@ TEST(ImplicitMesh, ATorusIsClosedAndOfGenusOne) {
 
 TEST(ImplicitMesh, ACubeMinusABallHasItsTrueEdges) {
   const Made m = make(subtract(box(2, 2, 2), sphere(1.2)), 0.005);
-  expect_sound(m);
-  EXPECT_EQ(euler(m.proxy()), -8);
+  expect_sound_surface(m);
+  EXPECT_EQ(euler_of(m.proxy()), -8);
   // Six faces with a round hole each, and the hollow.
   EXPECT_EQ(m.proxy().region_count, 7);
   EXPECT_EQ(crease_edges(m.proxy(), EdgeKind::ConcaveCrease), 0u);
@@ -117,13 +116,13 @@ TEST(ImplicitMesh, ACubeMinusABallHasItsTrueEdges) {
     }
   }
   EXPECT_NEAR(edges, 24, 1e-9);
-  EXPECT_NEAR(rims, 6 * 2 * kPi * rim, 0.02);
+  EXPECT_NEAR(rims, 6 * 2 * std::numbers::pi * rim, 0.02);
 }
 
 TEST(ImplicitMesh, ATurnedBoxHasEightCorners) {
   const Made m = make(rotate(box(1, 2, 3), {20, 30, 40}), 0.005);
-  expect_sound(m);
-  EXPECT_EQ(euler(m.proxy()), 2);
+  expect_sound_surface(m);
+  EXPECT_EQ(euler_of(m.proxy()), 2);
   EXPECT_EQ(m.proxy().region_count, 6);
   std::map<std::uint32_t, std::set<std::uint32_t>> wedges;
   for (std::uint32_t w = 0; w < m.proxy().wedge_vertex.size(); ++w) {
@@ -145,15 +144,15 @@ TEST(ImplicitMesh, ConesAndNeedlesHaveTheirTips) {
       least = std::min(least, glm::distance(p, 0.5 * height * axis));
     }
     EXPECT_LT(least, 1e-8) << height;
-    EXPECT_EQ(euler(m.proxy()), 2);
+    EXPECT_EQ(euler_of(m.proxy()), 2);
     EXPECT_EQ(m.proxy().region_count, 2);
   }
 }
 
 TEST(ImplicitMesh, UnionsHaveConcaveEdges) {
   const Made m = make(unite(sphere(1), translate(sphere(1), {1.2, 0, 0})), 0.005);
-  expect_sound(m);
-  EXPECT_EQ(euler(m.proxy()), 2);
+  expect_sound_surface(m);
+  EXPECT_EQ(euler_of(m.proxy()), 2);
   EXPECT_EQ(crease_edges(m.proxy(), EdgeKind::ConvexCrease), 0u);
   EXPECT_GT(crease_edges(m.proxy(), EdgeKind::ConcaveCrease), 20u);
 }
@@ -161,8 +160,8 @@ TEST(ImplicitMesh, UnionsHaveConcaveEdges) {
 TEST(ImplicitMesh, FilletsAreNoCreases) {
   const Expression c = cylinder(1, 6);
   const Made m = make(smooth_unite(c, rotate(c, {90, 0, 0}), 0.5), 0.003);
-  expect_sound(m);
-  EXPECT_EQ(euler(m.proxy()), 2);
+  expect_sound_surface(m);
+  EXPECT_EQ(euler_of(m.proxy()), 2);
   EXPECT_EQ(m.proxy().region_count, 5);  // four lids
 }
 
@@ -173,7 +172,7 @@ TEST(ImplicitMesh, AllOfManyBodiesAreFound) {
   }
   const Made m = make(balls);
   EXPECT_EQ(m.proxy().topology.component_closed.size(), 27u);
-  EXPECT_EQ(euler(m.proxy()), 54);
+  EXPECT_EQ(euler_of(m.proxy()), 54);
   // A ball of a 64th of the other one's size beside it.
   const Made two = make(unite(sphere(1), translate(sphere(1.0 / 32), {1.1, 0, 0})), 0.001);
   EXPECT_EQ(two.proxy().topology.component_closed.size(), 2u);
@@ -182,7 +181,7 @@ TEST(ImplicitMesh, AllOfManyBodiesAreFound) {
 TEST(ImplicitMesh, InnerHollowsAreFound) {
   const Made m = make(shell(sphere(1), 0.1));
   EXPECT_EQ(m.proxy().topology.component_closed.size(), 2u);
-  expect_sound(m);
+  expect_sound_surface(m);
 }
 
 // How far the middles of the triangles lie off the surface, in model mm.
@@ -205,11 +204,11 @@ TEST(ImplicitMesh, ThinWedgesKeepTheirEdges) {
   for (const double tolerance : {0.012, 0.01, 0.008, 0.003}) {
     for (const double up : {18.0, 10.0}) {
       const Made m = make(subtract(post, translate(bar, {0, 0, up})), tolerance);
-      expect_sound(m);
+      expect_sound_surface(m);
       EXPECT_LT(farthest_middle(m), 0.08) << tolerance << " " << up;
     }
     const Made m = make(subtract(box(30, 30, 30), slanted), tolerance);
-    expect_sound(m);
+    expect_sound_surface(m);
     EXPECT_LT(farthest_middle(m), 0.12) << tolerance;
   }
 }
@@ -219,28 +218,28 @@ TEST(ImplicitMesh, WhatIsThinAlongItsOutermostFacesIsSeen) {
   const Expression sheet = intersect(gyroid(20, 2.5), box(36, 36, 36));
   for (const double tolerance : {0.02, 0.013, 0.01}) {
     const Made m = make(sheet, tolerance);
-    expect_sound(m);
+    expect_sound_surface(m);
     EXPECT_LT(farthest_middle(m), 0.04) << tolerance;
-    EXPECT_FALSE(has(m.diagnostics, "implicit.thin"));
+    EXPECT_FALSE(reports(m.diagnostics, "implicit.thin"));
   }
 }
 
 TEST(ImplicitMesh, WallsThinnerThanTheirTrianglesAreTold) {
   // A crescent, at most 0.3 mm thick.
   const Expression ball = sphere(10);
-  EXPECT_TRUE(
-      has(make(subtract(ball, translate(ball, {0.3, 0, 0})), 0.02).diagnostics, "implicit.thin"));
+  EXPECT_TRUE(reports(make(subtract(ball, translate(ball, {0.3, 0, 0})), 0.02).diagnostics,
+                      "implicit.thin"));
   EXPECT_FALSE(
-      has(make(subtract(ball, translate(ball, {4, 0, 0})), 0.02).diagnostics, "implicit.thin"));
+      reports(make(subtract(ball, translate(ball, {4, 0, 0})), 0.02).diagnostics, "implicit.thin"));
 }
 
 TEST(ImplicitMesh, LensesThinnerThanAStepOfTheLookAreFound) {
   // Steps of 0.16 mm; the lens is 0.1 mm thick, the plate 0.05.
   const Made lens = make(intersect(sphere(10), translate(sphere(10), {19.9, 0, 0})), 0.001);
-  expect_sound(lens);
-  EXPECT_EQ(euler(lens.proxy()), 2);
+  expect_sound_surface(lens);
+  EXPECT_EQ(euler_of(lens.proxy()), 2);
   EXPECT_NEAR(lens.proxy().mesh.bounds().size().y, 2 * std::sqrt(100 - 9.95 * 9.95), 0.01);
-  EXPECT_EQ(euler(make(box(20, 20, 0.05)).proxy()), 2);
+  EXPECT_EQ(euler_of(make(box(20, 20, 0.05)).proxy()), 2);
 }
 
 TEST(ImplicitMesh, ScaleAndPlaceDoNotMatter) {
@@ -248,11 +247,11 @@ TEST(ImplicitMesh, ScaleAndPlaceDoNotMatter) {
   const Made a = make(shape, 0.005);
   for (const double s : {1e-3, 1e4}) {
     const Made b = make(scale(shape, s), 0.005 * s);
-    EXPECT_EQ(euler(b.proxy()), -8);
+    EXPECT_EQ(euler_of(b.proxy()), -8);
     EXPECT_EQ(b.proxy().region_count, 7);
   }
   const Made far = make(translate(shape, {1e5, -1e5, 1e5}), 0.005);
-  EXPECT_EQ(euler(far.proxy()), -8);
+  EXPECT_EQ(euler_of(far.proxy()), -8);
   EXPECT_EQ(far.proxy().region_count, 7);
   EXPECT_EQ(a.proxy().region_count, 7);
 }
@@ -269,7 +268,7 @@ TEST(ImplicitMesh, TheSameForAnyNumberOfThreads) {
 TEST(ImplicitMesh, EndlessSurfacesAreClippedByTheDomain) {
   const Box3 domain{{-1, -2, -3}, {1, 2, 3}};
   const Made m = make(plane(0.3, 0.2, 1, 0.1), 0.01, domain);
-  EXPECT_TRUE(has(m.diagnostics, "implicit.clipped"));
+  EXPECT_TRUE(reports(m.diagnostics, "implicit.clipped"));
   for (const HalfEdge o : m.proxy().topology.opposite) ASSERT_NE(o, kNoHalfEdge);
   EXPECT_EQ(m.proxy().region_count, 6);  // the plane, four walls and the floor
   const Box3 b = m.form->bounds(Mat3(1));
@@ -315,7 +314,7 @@ TEST(ImplicitErrors, FunctionsWithoutASurfaceSayWhy) {
 
 TEST(ImplicitErrors, PolesAndJumpsAreTold) {
   const Made m = make(1.0 / Expression::x(), 0.01, Box3{Vec3(-1), Vec3(1)});
-  EXPECT_TRUE(has(m.diagnostics, "implicit.not_on_surface"));
+  EXPECT_TRUE(reports(m.diagnostics, "implicit.not_on_surface"));
 }
 
 TEST(ImplicitErrors, ACancelledSurveyEndsAtOnce) {
@@ -374,7 +373,7 @@ TEST(ImplicitContours, ChordsAreWithinAHundredthOfAMillimetreOfPaper) {
       most = std::max(most, eye.scale() * (1 - glm::length(0.5 * (u + v))));
     }
   }
-  EXPECT_NEAR(length, 2 * kPi, 0.001);
+  EXPECT_NEAR(length, 2 * std::numbers::pi, 0.001);
   EXPECT_LT(most, 0.01);
 }
 
@@ -439,7 +438,7 @@ TEST(ImplicitMarch, GreatCirclesClose) {
   RunContext context;
   for (const SurfacePoint& p : m.surface->cover({.count = 20}, context)) {
     const Frame f = m.surface->frame(p);
-    const MarchStep step = m.surface->march(p, f.d1 + 0.3 * f.d2, 4 * kPi);
+    const MarchStep step = m.surface->march(p, f.d1 + 0.3 * f.d2, 4 * std::numbers::pi);
     EXPECT_EQ(step.stop, MarchStop::Completed);
     EXPECT_LT(glm::distance(step.end.position, p.position), 1e-5);
   }

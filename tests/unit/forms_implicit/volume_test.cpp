@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array<int, 2> kDegrees{2, 3};
 
-VolumeGrid sampled(std::array<std::int32_t, 3> size, Vec3 origin, Mat3 steps,
-                   const std::function<double(Vec3)>& f) {
+VolumeGrid sampled_grid(std::array<std::int32_t, 3> size, Vec3 origin, Mat3 steps,
+                        const std::function<double(Vec3)>& f) {
   VolumeGrid g;
   g.size = size;
   g.origin = origin;
@@ -35,7 +35,7 @@ VolumeGrid sampled(std::array<std::int32_t, 3> size, Vec3 origin, Mat3 steps,
 VolumeGrid noise(std::array<std::int32_t, 3> size, Mat3 steps = Mat3(1)) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0, 100);
-  return sampled(size, Vec3(0), steps, [&](Vec3) { return any(random); });
+  return sampled_grid(size, Vec3(0), steps, [&](Vec3) { return any(random); });
 }
 
 Mat3 skewed_steps() {
@@ -80,7 +80,7 @@ TEST(Volume, InterpolationTakesTheSamples) {
 
 TEST(Volume, SamplesAsCoefficientsSmoothALittle) {
   // One sample of 1 among zeros: the cubic has (4/6)^3 there and (4/6)^2/6 beside it.
-  VolumeGrid g = sampled({9, 9, 9}, Vec3(0), Mat3(1), [](Vec3) { return 0.0; });
+  VolumeGrid g = sampled_grid({9, 9, 9}, Vec3(0), Mat3(1), [](Vec3) { return 0.0; });
   g.samples[(4 * 9 + 4) * 9 + 4] = 1;
   const auto cubic = make_volume_function(g, {.level = 0.1}, RunContext());
   EXPECT_NEAR(cubic->value({4, 4, 4}), 0.1 - 8.0 / 27, 1e-12);
@@ -93,8 +93,8 @@ TEST(Volume, SamplesAsCoefficientsSmoothALittle) {
 TEST(Volume, LinearDataStaysLinear) {
   const Vec3 slope(3, -2, 0.7);
   const Mat3 steps = skewed_steps();
-  const VolumeGrid g = sampled({8, 6, 7}, {10, 20, 30}, steps,
-                               [&](Vec3 p) { return glm::dot(slope, p - Vec3(10, 20, 30)); });
+  const VolumeGrid g = sampled_grid({8, 6, 7}, {10, 20, 30}, steps,
+                                    [&](Vec3 p) { return glm::dot(slope, p - Vec3(10, 20, 30)); });
   for (const int degree : kDegrees) {
     for (const bool interpolate : {false, true}) {
       const auto f = spline(g, {.level = 0.5, .degree = degree, .interpolate = interpolate});
@@ -109,7 +109,7 @@ TEST(Volume, LinearDataStaysLinear) {
 }
 
 TEST(Volume, QuadraticsAreReproducedInside) {
-  const VolumeGrid g = sampled({40, 40, 40}, Vec3(-20), Mat3(1), [](Vec3 p) {
+  const VolumeGrid g = sampled_grid({40, 40, 40}, Vec3(-20), Mat3(1), [](Vec3 p) {
     return 0.02 * (p.x * p.x + 2 * p.y * p.y - p.x * p.z) + p.z;
   });
   for (const int degree : kDegrees) {
@@ -202,7 +202,7 @@ TEST(Volume, RangeHoldsAllValues) {
 }
 
 TEST(Volume, RangeIsNarrow) {
-  const VolumeGrid g = sampled({100, 100, 100}, Vec3(0), Mat3(1), [](Vec3 p) { return p.x; });
+  const VolumeGrid g = sampled_grid({100, 100, 100}, Vec3(0), Mat3(1), [](Vec3 p) { return p.x; });
   const auto f = spline(g, {.level = 50});
   const Interval small = f->range({Vec3(30.2), Vec3(30.4)}), large = f->range({Vec3(30), Vec3(60)});
   EXPECT_NEAR(small.max - small.min, 3, 1e-6);
@@ -211,8 +211,8 @@ TEST(Volume, RangeIsNarrow) {
 
 TEST(Volume, SmoothingIsAGaussian) {
   // A Gaussian of width 2 smoothed by 1.5 is one of width 2.5, its peak (2/2.5)^3 as high.
-  const VolumeGrid g = sampled({41, 41, 41}, Vec3(-20), Mat3(1),
-                               [](Vec3 p) { return std::exp(-glm::dot(p, p) / 8); });
+  const VolumeGrid g = sampled_grid({41, 41, 41}, Vec3(-20), Mat3(1),
+                                    [](Vec3 p) { return std::exp(-glm::dot(p, p) / 8); });
   const auto f =
       make_volume_function(g, {.level = 0.2, .interpolate = true, .smoothing = 1.5}, RunContext());
   for (const Vec3& p : {Vec3(0), Vec3(1, 2, 0.5), Vec3(3, -1, 2)}) {
@@ -221,8 +221,8 @@ TEST(Volume, SmoothingIsAGaussian) {
 }
 
 TEST(Volume, BoundsHoldTheInside) {
-  const VolumeGrid g = sampled({60, 60, 60}, Vec3(-30), Mat3(1),
-                               [](Vec3 p) { return 10 - glm::length(p - Vec3(4, 0, 0)); });
+  const VolumeGrid g = sampled_grid({60, 60, 60}, Vec3(-30), Mat3(1),
+                                    [](Vec3 p) { return 10 - glm::length(p - Vec3(4, 0, 0)); });
   const auto f = make_volume_function(g, {.interpolate = true}, RunContext());
   EXPECT_FALSE(f->has_pieces());
   const Box3 b = f->bounds();
@@ -267,7 +267,7 @@ TEST(Volume, ABallIsABall) {
   const Mat3 steps = skewed_steps();
   const Vec3 middle = steps * (0.5 * Vec3(63, 47, 23));
   const VolumeGrid g =
-      sampled({64, 48, 24}, Vec3(0), steps, [&](Vec3 p) { return glm::distance(p, middle); });
+      sampled_grid({64, 48, 24}, Vec3(0), steps, [&](Vec3 p) { return glm::distance(p, middle); });
   RunContext context;
   auto f =
       make_volume_function(g, {.level = 12, .inside_above = false, .interpolate = true}, context);
@@ -290,7 +290,7 @@ TEST(Volume, ABallIsABall) {
 TEST(Volume, SpecksAreLeftOut) {
   std::mt19937 random(1);
   std::uniform_int_distribution<std::size_t> any(2, 57);
-  VolumeGrid g = sampled({60, 60, 60}, Vec3(-29.5), Mat3(1), [&](Vec3 p) {
+  VolumeGrid g = sampled_grid({60, 60, 60}, Vec3(-29.5), Mat3(1), [&](Vec3 p) {
     const Vec2 q(std::hypot(p.x, p.y) - 15, p.z);
     return std::max(-5.0, 5 - glm::length(q));
   });
@@ -329,7 +329,7 @@ TEST(Volume, NoiseIsAManifold) {
 TEST(Volume, ClosedAtTheSidesOfTheData) {
   const Mat3 turn(glm::rotate(glm::dmat4(1), 0.7, glm::normalize(Vec3(1, 2, 3))));
   const Vec3 axis = turn[0];
-  const VolumeGrid g = sampled({31, 25, 25}, turn * Vec3(-15, -12, -12), turn, [&](Vec3 p) {
+  const VolumeGrid g = sampled_grid({31, 25, 25}, turn * Vec3(-15, -12, -12), turn, [&](Vec3 p) {
     return 6 - glm::length(p - glm::dot(p, axis) * axis);
   });
   RunContext context;

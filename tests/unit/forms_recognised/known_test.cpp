@@ -36,7 +36,8 @@ TurnedSurface circle(Vec2 middle, double radius, int sides, int along) {
 
 using Says = std::function<std::int32_t(Vec3 center, Vec3 normal)>;
 
-RecognisedForm form_of(const TriMesh& mesh, std::vector<TurnedSurface> surfaces, const Says& says) {
+RecognisedForm known_form(const TriMesh& mesh, std::vector<TurnedSurface> surfaces,
+                          const Says& says) {
   KnownSurfaces known{std::move(surfaces), {}};
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     Vec3 center(0);
@@ -50,8 +51,8 @@ bool is_side(Vec3 normal) { return std::abs(normal.z) < 0.9; }
 
 TEST(KnownSurfaces, ACylinderIsWhatItIsSaidToBe) {
   const RecognisedForm form =
-      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24)},
-              [](Vec3, Vec3 n) { return is_side(n) ? 0 : KnownSurfaces::kMeantFlat; });
+      known_form(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24)},
+                 [](Vec3, Vec3 n) { return is_side(n) ? 0 : KnownSurfaces::kMeantFlat; });
   EXPECT_EQ(form.faces().cylinders, 1);
   EXPECT_EQ(form.faces().total(), 1);
   RunContext context;
@@ -70,15 +71,17 @@ TEST(KnownSurfaces, ACylinderIsWhatItIsSaidToBe) {
 TEST(KnownSurfaces, WhatIsMeantFlatStaysAPrism) {
   const TriMesh prism = turned({{10, 0}, {10, 30}}, 24);
   EXPECT_EQ(
-      form_of(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kMeantFlat; }).faces().total(), 0);
+      known_form(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kMeantFlat; }).faces().total(),
+      0);
   // The same of which nobody knows is judged by its looks.
   EXPECT_EQ(
-      form_of(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kUnknown; }).faces().cylinders, 1);
+      known_form(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kUnknown; }).faces().cylinders,
+      1);
 }
 
 TEST(KnownSurfaces, OneFacetIsEnough) {
-  const RecognisedForm form =
-      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 30}, {10, 0}, 24)}, [](Vec3 c, Vec3 n) {
+  const RecognisedForm form = known_form(
+      turned({{10, 0}, {10, 30}}, 24), {line({10, 30}, {10, 0}, 24)}, [](Vec3 c, Vec3 n) {
         const double angle = std::atan2(c.y, c.x);
         const bool first = is_side(n) && angle > 0 && angle < 2 * kPi / 24;
         return first ? 0 : KnownSurfaces::kMeantFlat;
@@ -92,8 +95,8 @@ TEST(KnownSurfaces, RowsOfOneSurfaceAreOneFace) {
   below.origin = {0, 0, 30};
   below.axis = {0, 0, -1};
   const RecognisedForm form =
-      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24), below},
-              [](Vec3 c, Vec3 n) { return is_side(n) ? (c.x > 0 ? 0 : 1) : -1; });
+      known_form(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24), below},
+                 [](Vec3 c, Vec3 n) { return is_side(n) ? (c.x > 0 ? 0 : 1) : -1; });
   EXPECT_EQ(form.faces().cylinders, 1);
   EXPECT_EQ(form.faces().total(), 1);
 }
@@ -111,22 +114,23 @@ TEST(KnownSurfaces, TiltedConesSpheresAndTori) {
     return std::abs(glm::dot(n, turn[2])) < 0.95 ? 0 : KnownSurfaces::kMeantFlat;
   };
   const auto tilt = [&](TriMesh mesh) { return moved(std::move(mesh), turn, offset); };
-  EXPECT_EQ(form_of(tilt(turned({{10, 0}, {4, 5}}, 16)), {placed(line({10, 0}, {4, 5}, 16))}, sides)
-                .faces()
-                .cones,
-            1);
-  // The flat caps of the sphere, too.
   EXPECT_EQ(
-      form_of(tilt(turned(sphere_profile(10, 20), 20)), {placed(circle({0, 0}, 10, 20, 20))}, all)
+      known_form(tilt(turned({{10, 0}, {4, 5}}, 16)), {placed(line({10, 0}, {4, 5}, 16))}, sides)
           .faces()
-          .spheres,
+          .cones,
       1);
+  // The flat caps of the sphere, too.
+  EXPECT_EQ(known_form(tilt(turned(sphere_profile(10, 20), 20)),
+                       {placed(circle({0, 0}, 10, 20, 20))}, all)
+                .faces()
+                .spheres,
+            1);
   std::vector<Vec2> ring;
   for (int i = 0; i < 12; ++i) {
     ring.push_back(Vec2(20, 0) + 5.0 * Vec2(std::cos(kPi * i / 6), std::sin(kPi * i / 6)));
   }
   const RecognisedForm torus =
-      form_of(tilt(turned(ring, 36, true)), {placed(circle({20, 0}, 5, 36, 12))}, all);
+      known_form(tilt(turned(ring, 36, true)), {placed(circle({20, 0}, 5, 36, 12))}, all);
   EXPECT_EQ(torus.faces().tori, 1);
   EXPECT_EQ(torus.faces().total(), 1);
   RunContext context;
@@ -147,8 +151,8 @@ TEST(KnownSurfaces, ASurfaceThatFacesBothWaysIsTwoFaces) {
     for (std::uint32_t& v : t) v += first;
     pin.triangles.push_back(t);
   }
-  const RecognisedForm form =
-      form_of(pin, {line({5, 0}, {5, 10}, 24)}, [](Vec3, Vec3 n) { return is_side(n) ? 0 : -1; });
+  const RecognisedForm form = known_form(pin, {line({5, 0}, {5, 10}, 24)},
+                                         [](Vec3, Vec3 n) { return is_side(n) ? 0 : -1; });
   EXPECT_EQ(form.faces().cylinders, 2);
   RunContext context;
   const auto surface = form.realise({.tolerance = 0.01}, context);
@@ -203,7 +207,7 @@ TEST(KnownSurfaces, CornersOnABallMakeNoFacePartOfIt) {
     if (k > 0) bands.push_back(line(profile[k - 1], profile[k], 24));
   }
   const TriMesh mesh = three_quarters(profile);
-  const RecognisedForm form = form_of(mesh, bands, [&](Vec3 c, Vec3) {
+  const RecognisedForm form = known_form(mesh, bands, [&](Vec3 c, Vec3) {
     if (std::hypot(c.x, c.y, c.z) < 9 || std::abs(std::min(c.x, -c.y)) < 1e-9) return -1;
     const double a = std::acos(-c.z / std::hypot(c.x, c.y, c.z));
     return std::clamp(static_cast<int>(kBands * a / kPi), 0, kBands - 1);

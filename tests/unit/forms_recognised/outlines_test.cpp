@@ -22,12 +22,12 @@ Outline sampled(int count, const std::function<Vec2(double)>& curve) {
   for (int i = 0; i < count; ++i) out.push_back(curve(static_cast<double>(i) / count));
   return out;
 }
-Vec2 ellipse(double t) {
+Vec2 ellipse_point(double t) {
   return {20 * std::cos(2 * test::kPi * t), 10 * std::sin(2 * test::kPi * t)};
 }
 
 /// An outline from z = 0 up to `top(p)`, in the digits that STL files have.
-RecognisedForm extruded(const Outline& outline, const std::function<double(Vec2)>& top) {
+RecognisedForm extruded_outline(const Outline& outline, const std::function<double(Vec2)>& top) {
   PolygonSoup soup;
   const auto add = [&](const std::vector<Vec3>& polygon) {
     for (const Vec3& p : polygon) {
@@ -51,7 +51,7 @@ RecognisedForm extruded(const Outline& outline, const std::function<double(Vec2)
 }
 double ten(Vec2) { return 10; }
 
-std::shared_ptr<const Surface> realise(const RecognisedForm& form) {
+std::shared_ptr<const Surface> realised(const RecognisedForm& form) {
   RunContext context;
   return form.realise({.tolerance = 0.01}, context);
 }
@@ -72,10 +72,10 @@ int upright_edges(const ProxyMesh& proxy) {
 
 TEST(OutlineWalls, AnEllipseIsOneSurfaceOnTheEllipse) {
   for (const int sides : {24, 48, 96}) {
-    const RecognisedForm form = extruded(sampled(sides, ellipse), ten);
+    const RecognisedForm form = extruded_outline(sampled(sides, ellipse_point), ten);
     EXPECT_EQ(form.faces().swept, 1) << sides;
     EXPECT_EQ(form.faces().total(), 1) << sides;
-    const auto surface = realise(form);
+    const auto surface = realised(form);
     EXPECT_EQ(upright_edges(surface->proxy()), 0) << sides;
     const double chord = 10 * (1 - std::cos(test::kPi / sides));  // of the flatter side
     for (const Vec3& p : surface->proxy().mesh.positions) {
@@ -88,35 +88,36 @@ TEST(OutlineWalls, AnEllipseIsOneSurfaceOnTheEllipse) {
 
 TEST(OutlineWalls, RimsMayBeCutInAnyWay) {
   // A roof over the ellipse: every wall is of another height.
-  const RecognisedForm form =
-      extruded(sampled(48, ellipse), [](Vec2 p) { return 12 + 0.3 * p.x + 0.1 * p.y; });
+  const RecognisedForm form = extruded_outline(sampled(48, ellipse_point),
+                                               [](Vec2 p) { return 12 + 0.3 * p.x + 0.1 * p.y; });
   EXPECT_EQ(form.faces().swept, 1);
-  EXPECT_EQ(upright_edges(realise(form)->proxy()), 0);
+  EXPECT_EQ(upright_edges(realised(form)->proxy()), 0);
 }
 
 TEST(OutlineWalls, AnEdgeThatAnOutlineHasStays) {
   // A wing: smooth around its nose, an edge behind.
-  const RecognisedForm wing = extruded(sampled(40,
-                                               [](double t) {
-                                                 const double a = 2 * test::kPi * t;
-                                                 const double x = 0.5 * (1 + std::cos(a));
-                                                 return Vec2(60 * x, 12 * std::sin(a) * (1 - x));
-                                               }),
-                                       ten);
+  const RecognisedForm wing =
+      extruded_outline(sampled(40,
+                               [](double t) {
+                                 const double a = 2 * test::kPi * t;
+                                 const double x = 0.5 * (1 + std::cos(a));
+                                 return Vec2(60 * x, 12 * std::sin(a) * (1 - x));
+                               }),
+                       ten);
   EXPECT_EQ(wing.faces().swept, 1);
-  EXPECT_EQ(upright_edges(realise(wing)->proxy()), 1);
+  EXPECT_EQ(upright_edges(realised(wing)->proxy()), 1);
 }
 
 TEST(OutlineWalls, CirclesStayCylindersAndPrismsPrisms) {
-  const RecognisedForm disc = extruded(sampled(24,
-                                               [](double t) {
-                                                 return 10.0 * Vec2(std::cos(2 * test::kPi * t),
-                                                                    std::sin(2 * test::kPi * t));
-                                               }),
-                                       ten);
+  const RecognisedForm disc = extruded_outline(
+      sampled(24,
+              [](double t) {
+                return 10.0 * Vec2(std::cos(2 * test::kPi * t), std::sin(2 * test::kPi * t));
+              }),
+      ten);
   EXPECT_EQ(disc.faces().cylinders, 1);
   EXPECT_EQ(disc.faces().total(), 1);
-  EXPECT_EQ(extruded({{0, 0}, {20, 0}, {22, 8}, {10, 14}, {0, 9}}, ten).faces().total(), 0);
+  EXPECT_EQ(extruded_outline({{0, 0}, {20, 0}, {22, 8}, {10, 14}, {0, 9}}, ten).faces().total(), 0);
 }
 
 TEST(OutlineWalls, ThreeFacetsAreACylinderWhereTheyEnd) {
@@ -129,7 +130,7 @@ TEST(OutlineWalls, ThreeFacetsAreACylinderWhereTheyEnd) {
     }
     outline.push_back({-20, 10 - 20 * lean});
     outline.push_back({10 - 20 * lean, -20});
-    EXPECT_EQ(extruded(outline, ten).faces().cylinders, 1) << lean;
+    EXPECT_EQ(extruded_outline(outline, ten).faces().cylinders, 1) << lean;
   }
 }
 

@@ -21,7 +21,7 @@
 namespace burin {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kScale = 2;
+constexpr double kHalfTurn = std::numbers::pi, kLightScale = 2;
 /// From the model to the light, in views from the top in the model too.
 const Vec3 kLight{-0.5, 0.65, 0.6};
 
@@ -30,7 +30,7 @@ struct Lit {
   Scene scene;
   ViewOptions view{.direction = {0, 0, 1},
                    .up = {0, 1, 0},
-                   .scale = kScale,
+                   .scale = kLightScale,
                    .center = Vec3(0),
                    .paper = {600, 600}};
   Style style = builtin_style("flat");
@@ -62,14 +62,16 @@ void add_cube_on_plate(Lit& lit) {
   lit.add(test::box({-10, -10, 0}, {10, 10, 20}));
 }
 
-const Area* area_of(const Drawing& drawing, std::int32_t part, std::int32_t tone) {
+const Area* toned_area(const Drawing& drawing, std::int32_t part, std::int32_t tone) {
   const auto it = std::ranges::find_if(
       drawing.areas, [&](const Area& a) { return a.part == part && a.tone == tone; });
   return it == drawing.areas.end() ? nullptr : &*it;
 }
 
 /// mm^2 of the model's size, of a view from the top.
-double size_of(const Area& area) { return test::signed_area(area) / (kScale * kScale); }
+double size_of_area(const Area& area) {
+  return test::signed_area(area) / (kLightScale * kLightScale);
+}
 
 double nearest(const Area& area, Vec2 to) {
   double least = std::numeric_limits<double>::infinity();
@@ -86,7 +88,7 @@ TEST(CastShadow, OfACubeOnAPlateIsAPolygonOfSixCorners) {
   Lit lit;
   add_cube_on_plate(lit);
   const Drawing drawing = lit.draw();
-  const Area* shadow = area_of(drawing, 0, 0);
+  const Area* shadow = toned_area(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
   ASSERT_EQ(shadow->rings.size(), 1u);
   EXPECT_EQ(shadow->rings[0].size(), 6u);
@@ -95,8 +97,8 @@ TEST(CastShadow, OfACubeOnAPlateIsAPolygonOfSixCorners) {
                              thrown({10, 10, 20}), thrown({10, -10, 20}), thrown({-10, -10, 20})}) {
     EXPECT_LT(nearest(*shadow, camera.to_paper(corner)), 0.02);
   }
-  EXPECT_EQ(area_of(drawing, 1, 0), nullptr) << "the top of the cube is lit";
-  EXPECT_NE(shadow->fill, area_of(drawing, 0, 1)->fill);
+  EXPECT_EQ(toned_area(drawing, 1, 0), nullptr) << "the top of the cube is lit";
+  EXPECT_NE(shadow->fill, toned_area(drawing, 0, 1)->fill);
 }
 
 TEST(CastShadow, IsAsExactInPerspectiveAndFromTheSide) {
@@ -110,12 +112,12 @@ TEST(CastShadow, IsAsExactInPerspectiveAndFromTheSide) {
   lit.style.tone.light = {glm::dot(kLight, camera.right()), glm::dot(kLight, camera.up()),
                           glm::dot(kLight, camera.direction())};
   const Drawing drawing = lit.draw();
-  const Area* shadow = area_of(drawing, 0, 0);
+  const Area* shadow = toned_area(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
   for (const Vec3& corner : {thrown({10, 10, 20}), thrown({10, -10, 20}), thrown({-10, -10, 20})}) {
     EXPECT_LT(nearest(*shadow, camera.to_paper(corner)), 0.02);
   }
-  EXPECT_NE(area_of(drawing, 1, 0), nullptr) << "sides that face away";
+  EXPECT_NE(toned_area(drawing, 1, 0), nullptr) << "sides that face away";
 }
 
 TEST(CastShadow, OfAPinThroughAPlateIsItsLengthTimesItsWidth) {
@@ -124,12 +126,12 @@ TEST(CastShadow, OfAPinThroughAPlateIsItsLengthTimesItsWidth) {
   lit.add(test::box({-60, -60, -5}, {60, 60, 0}));
   lit.add(test::cylinder(kRadius, kHeight + 20, 180), {0, 0, -20});
   const Drawing drawing = lit.draw();
-  const Area* shadow = area_of(drawing, 0, 0);
+  const Area* shadow = toned_area(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
   ASSERT_EQ(shadow->rings.size(), 1u);
   // Of the hull of the foot and the shadow of the top the pin hides the foot.
   const double exact = 2 * kRadius * glm::length(thrown({0, 0, kHeight}));
-  EXPECT_NEAR(size_of(*shadow), exact, 5e-3 * exact);
+  EXPECT_NEAR(size_of_area(*shadow), exact, 5e-3 * exact);
 }
 
 TEST(CastShadow, OfABallOnAPlaneIsAnEllipse) {
@@ -138,11 +140,11 @@ TEST(CastShadow, OfABallOnAPlaneIsAnEllipse) {
   lit.add(test::box({-100, -100, -5}, {100, 100, 0}));
   lit.add(test::ellipsoid(Vec3(kRadius), 160, 80), {-25, 30, 50});
   const Drawing drawing = lit.draw();
-  const Area* shadow = area_of(drawing, 0, 0);
+  const Area* shadow = toned_area(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
   ASSERT_EQ(shadow->rings.size(), 1u);
-  const double exact = kPi * kRadius * kRadius / glm::normalize(kLight).z;
-  EXPECT_NEAR(size_of(*shadow), exact, 5e-3 * exact);
+  const double exact = kHalfTurn * kRadius * kRadius / glm::normalize(kLight).z;
+  EXPECT_NEAR(size_of_area(*shadow), exact, 5e-3 * exact);
   // Light that only grazes the ball does not count.
   const Vec3 light = glm::normalize(kLight);
   constexpr int kCells = 1000;
@@ -155,8 +157,8 @@ TEST(CastShadow, OfABallOnAPlaneIsAnEllipse) {
     }
   }
   const double shade = dark * 4 * kRadius * kRadius / (kCells * kCells);
-  ASSERT_NE(area_of(drawing, 1, 0), nullptr);
-  EXPECT_NEAR(size_of(*area_of(drawing, 1, 0)), shade, 1e-2 * shade);
+  ASSERT_NE(toned_area(drawing, 1, 0), nullptr);
+  EXPECT_NEAR(size_of_area(*toned_area(drawing, 1, 0)), shade, 1e-2 * shade);
 }
 
 TEST(CastShadow, HasTheDarkestOfSeveralTones) {
@@ -164,10 +166,10 @@ TEST(CastShadow, HasTheDarkestOfSeveralTones) {
   add_cube_on_plate(lit);
   lit.style.fill.steps = 4;
   const Drawing drawing = lit.draw();
-  ASSERT_NE(area_of(drawing, 0, 0), nullptr);
-  EXPECT_EQ(area_of(drawing, 0, 0)->rings[0].size(), 6u);
-  EXPECT_EQ(area_of(drawing, 0, 3), nullptr) << "the plate is lit by 0.59";
-  EXPECT_NE(area_of(drawing, 0, 2), nullptr);
+  ASSERT_NE(toned_area(drawing, 0, 0), nullptr);
+  EXPECT_EQ(toned_area(drawing, 0, 0)->rings[0].size(), 6u);
+  EXPECT_EQ(toned_area(drawing, 0, 3), nullptr) << "the plate is lit by 0.59";
+  EXPECT_NE(toned_area(drawing, 0, 2), nullptr);
 }
 
 TEST(CastShadow, OnPartsWithoutAColourIsThatOfShadows) {
@@ -176,9 +178,9 @@ TEST(CastShadow, OnPartsWithoutAColourIsThatOfShadows) {
   lit.style.fill.color = "none";
   lit.style.shadow.color = "#abcdef";
   const Drawing drawing = lit.draw();
-  ASSERT_NE(area_of(drawing, 0, 0), nullptr);
-  EXPECT_EQ(area_of(drawing, 0, 0)->fill, "#abcdef");
-  EXPECT_EQ(area_of(drawing, 0, 1)->fill, "");
+  ASSERT_NE(toned_area(drawing, 0, 0), nullptr);
+  EXPECT_EQ(toned_area(drawing, 0, 0)->fill, "#abcdef");
+  EXPECT_EQ(toned_area(drawing, 0, 1)->fill, "");
 }
 
 TEST(CastShadow, GlassCastsNone) {
@@ -186,7 +188,7 @@ TEST(CastShadow, GlassCastsNone) {
   add_cube_on_plate(lit);
   lit.options.part_styles.resize(2);
   lit.options.part_styles[1].transparent = true;
-  EXPECT_EQ(area_of(lit.draw(), 0, 0), nullptr);
+  EXPECT_EQ(toned_area(lit.draw(), 0, 0), nullptr);
 }
 
 TEST(CastShadow, FacesOfCutsAreLit) {
@@ -195,8 +197,8 @@ TEST(CastShadow, FacesOfCutsAreLit) {
                    CutPlane{{0, 0, 1}, 0}, 0, "plate"));
   lit.add(test::box({-10, -10, 1}, {10, 10, 20}));
   const Drawing drawing = lit.draw();
-  EXPECT_NE(area_of(drawing, 0, 1), nullptr);
-  EXPECT_EQ(area_of(drawing, 0, 0), nullptr) << "hatching is read on it";
+  EXPECT_NE(toned_area(drawing, 0, 1), nullptr);
+  EXPECT_EQ(toned_area(drawing, 0, 0), nullptr) << "hatching is read on it";
 }
 
 TEST(CastShadow, OfASheetIsThatOfItsBorder) {
@@ -207,7 +209,7 @@ TEST(CastShadow, OfASheetIsThatOfItsBorder) {
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   lit.add(std::move(sheet));
   const Drawing drawing = lit.draw();
-  const Area* shadow = area_of(drawing, 0, 0);
+  const Area* shadow = toned_area(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
   EXPECT_EQ(shadow->rings[0].size(), 4u);
   for (const Vec3& corner : {Vec3(-10, -10, 30), Vec3(10, 10, 30)}) {
@@ -235,7 +237,7 @@ TEST(CastShadow, LinesStayAsTheyAre) {
   const Drawing with = lit.draw();
   lit.style.shadow.cast = false;
   const Drawing without = lit.draw();
-  EXPECT_EQ(area_of(without, 0, 0), nullptr);
+  EXPECT_EQ(toned_area(without, 0, 0), nullptr);
   ASSERT_EQ(with.layers.size(), without.layers.size());
   for (std::size_t i = 0; i < with.layers.size(); ++i) {
     ASSERT_EQ(with.layers[i].paths.size(), without.layers[i].paths.size());

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRounding = 0.03;  // of eight bits
 
-Drawing ball(const std::string& color, const Style& style) {
+Drawing colored_ball(const std::string& color, const Style& style) {
   Scene scene;
   scene.parts.push_back(
       {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 32, 16))});
@@ -30,7 +30,7 @@ Drawing ball(const std::string& color, const Style& style) {
   return illustrate(scene, camera, style, {}, context);
 }
 
-std::set<std::string> fills(const Drawing& drawing) {
+std::set<std::string> fill_colors(const Drawing& drawing) {
   std::set<std::string> out;
   for (const Area& area : drawing.areas) out.insert(area.fill);
   return out;
@@ -38,7 +38,7 @@ std::set<std::string> fills(const Drawing& drawing) {
 
 double least_contrast(const Drawing& drawing, const Rgb& ink) {
   double least = 21;
-  for (const std::string& fill : fills(drawing)) {
+  for (const std::string& fill : fill_colors(drawing)) {
     least = std::min(least, contrast(rgb_of(fill).value(), ink));
   }
   return least;
@@ -61,15 +61,15 @@ TEST(Contrast, OfBlackLinesIsKeptInAllTonesOfColoursOfTheInput) {
       Style style = builtin_style("flat");
       style.fill.steps = 3;
       style.fill.darkest = darkest;
-      const Drawing drawing = ball(color, style);
+      const Drawing drawing = colored_ball(color, style);
       EXPECT_GE(least_contrast(drawing, {0, 0, 0}), kLeastShadeContrast - kRounding)
           << color << darkest;
       double most = 1;
-      for (const std::string& fill : fills(drawing)) {
+      for (const std::string& fill : fill_colors(drawing)) {
         most = std::max(most, contrast(rgb_of(fill).value(), {0, 0, 0}));
       }
       EXPECT_GE(most, kLeastContrast - kRounding) << color << darkest << " in full light";
-      EXPECT_EQ(fills(drawing).size(), darkest < 1 ? 3u : 1u) << "tones are told apart";
+      EXPECT_EQ(fill_colors(drawing).size(), darkest < 1 ? 3u : 1u) << "tones are told apart";
       EXPECT_EQ(warnings(drawing), 0);
     }
   }
@@ -83,32 +83,34 @@ TEST(Contrast, ChangesNoColourThatHasIt) {
     const double share = style.fill.darkest + (1 - style.fill.darkest) * light;
     wanted.insert(to_text(with_lightness(rgb_of(pale).value(), share)));
   }
-  EXPECT_EQ(fills(ball(pale, style)), wanted);
+  EXPECT_EQ(fill_colors(colored_ball(pale, style)), wanted);
 }
 
 TEST(Contrast, OfWhiteLinesIsKeptByDarkerColours) {
   Style style = builtin_style("flat");
   style.line.color = "#ffffff";
   for (const std::string color : {"#fafafa", "#ffee00", "#999999"}) {
-    EXPECT_GE(least_contrast(ball(color, style), {255, 255, 255}), kLeastContrast - kRounding)
+    EXPECT_GE(least_contrast(colored_ball(color, style), {255, 255, 255}),
+              kLeastContrast - kRounding)
         << color;
   }
-  EXPECT_EQ(fills(ball("#808080", style)), std::set<std::string>{"#808080"}) << "dark enough";
+  EXPECT_EQ(fill_colors(colored_ball("#808080", style)), std::set<std::string>{"#808080"})
+      << "dark enough";
 }
 
 TEST(Contrast, OfGreyLinesLeavesTonesApart) {
   Style style = builtin_style("flat");
   style.line.color = "#8c8c8c";
   style.fill.steps = 2;
-  EXPECT_EQ(fills(ball("#ffffff", style)).size(), 2u);
-  EXPECT_FALSE(fills(ball("#2040a0", style)).contains("#ffffff")) << "still blue";
+  EXPECT_EQ(fill_colors(colored_ball("#ffffff", style)).size(), 2u);
+  EXPECT_FALSE(fill_colors(colored_ball("#2040a0", style)).contains("#ffffff")) << "still blue";
 }
 
 TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
   Style style = builtin_style("flat");
   style.fill.color = "#202020";
-  const Drawing dark = ball("#ffffff", style);
-  EXPECT_EQ(fills(dark), std::set<std::string>{"#202020"});
+  const Drawing dark = colored_ball("#ffffff", style);
+  EXPECT_EQ(fill_colors(dark), std::set<std::string>{"#202020"});
   ASSERT_EQ(warnings(dark), 1);
   const auto told =
       std::ranges::find(dark.diagnostics.entries(), "fill.low_contrast", &Diagnostic::code);
@@ -116,20 +118,20 @@ TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
             "lines can hardly be seen on 1 part, such as 'ball': #000000 on #202020 has a contrast "
             "of 1.3; choose another line.color or fill.color");
   style.line.color = "#ffffff";
-  EXPECT_EQ(warnings(ball("#ffffff", style)), 0);
+  EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 0);
   style.fill.color = "#f0f0f0";
-  EXPECT_EQ(warnings(ball("#ffffff", style)), 1) << "white on white";
+  EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 1) << "white on white";
   style.fill.color = "part";
   style.fill.opacity = 0.4;
-  EXPECT_EQ(warnings(ball("#ffffff", style)), 1) << "the paper is white, too";
+  EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 1) << "the paper is white, too";
   // Its darkest tone, which is none where areas are not painted.
   style = builtin_style("flat");
   style.fill.color = "#d62728";
   style.fill.steps = 3;
   style.fill.darkest = 0.3;
-  EXPECT_EQ(warnings(ball("#ffffff", style)), 1);
+  EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 1);
   style.fill.opacity = 0;
-  EXPECT_EQ(warnings(ball("#ffffff", style)), 0);
+  EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 0);
 }
 
 TEST(Contrast, OfAColourThatStaysIsWhatItsDarkestToneCanGive) {
@@ -144,12 +146,12 @@ TEST(Contrast, OfAColourThatStaysIsWhatItsDarkestToneCanGive) {
 
 TEST(Contrast, OfHatchingInTheColourOfAPartIsThatOfThePaintedColour) {
   Style style = builtin_style("flat");
-  const std::set<std::string> painted = fills(ball("#101010", style));
+  const std::set<std::string> painted = fill_colors(colored_ball("#101010", style));
   style.fill.opacity = 0;
   style.fill.hatch.lines = FillHatch::Lines::Lines;
   style.fill.hatch.color = "fill";
   std::set<std::string> colors;
-  for (const Layer& layer : ball("#101010", style).layers) {
+  for (const Layer& layer : colored_ball("#101010", style).layers) {
     if (layer.name != "fill-hatch") continue;
     for (const Path& path : layer.paths) colors.insert(path.color);
   }

@@ -19,7 +19,7 @@
 namespace burin {
 namespace {
 
-Scene scene_of(std::vector<std::shared_ptr<const Form>> forms) {
+Scene scene_of_forms(std::vector<std::shared_ptr<const Form>> forms) {
   Scene scene;
   for (auto& f : forms) scene.parts.push_back({"part", "part", std::move(f)});
   return scene;
@@ -29,18 +29,18 @@ std::shared_ptr<const Form> box(Vec3 low, Vec3 high) {
   return std::make_shared<MeshForm>(test::box(low, high));
 }
 
-Camera camera_for(const Scene& scene, Vec3 direction, std::optional<double> perspective = {}) {
+Camera camera_along(const Scene& scene, Vec3 direction, std::optional<double> perspective = {}) {
   return Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                      {.direction = direction, .perspective = perspective, .paper = {100, 80}});
 }
 
-Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
-             HiddenLines hidden = HiddenLines::None) {
+Drawing draw_depth(const Scene& scene, const Camera& camera, const Style& style,
+                   HiddenLines hidden = HiddenLines::None) {
   RunContext context;
   return illustrate(scene, camera, style, {.hidden = hidden}, context);
 }
 
-double length(const Path& path) {
+double drawn_length(const Path& path) {
   double sum = 0;
   const std::size_t n = path.points.size();
   for (std::size_t i = 0; i + (path.closed ? 0 : 1) < n; ++i) {
@@ -50,48 +50,50 @@ double length(const Path& path) {
 }
 
 // Length of the lines of a part, on paper.
-double length(const Drawing& drawing, int part) {
+double drawn_length(const Drawing& drawing, int part) {
   double sum = 0;
   for (const Layer& layer : drawing.layers) {
-    for (const Path& path : layer.paths) sum += path.source.part == part ? length(path) : 0;
+    for (const Path& path : layer.paths) sum += path.source.part == part ? drawn_length(path) : 0;
   }
   return sum;
 }
 
 TEST(Haloes, ABarBehindAPostEndsTheGapBeforeIt) {
   // Seen from the front: a bar of 100 x 10 mm, 40 mm behind a post of 10 x 100 mm.
-  const Scene scene = scene_of({box({-50, 40, -5}, {50, 41, 5}), box({-5, 0, -50}, {5, 1, 50})});
-  const Camera camera = camera_for(scene, {0, -1, 0});
+  const Scene scene =
+      scene_of_forms({box({-50, 40, -5}, {50, 41, 5}), box({-5, 0, -50}, {5, 1, 50})});
+  const Camera camera = camera_along(scene, {0, -1, 0});
   Style style = builtin_style("outline");
   style.line.outer = 0.4;
   const double edge = 10 * camera.scale();
-  const double before = length(draw(scene, camera, style), 0);
+  const double before = drawn_length(draw_depth(scene, camera, style), 0);
   EXPECT_NEAR(before, 2 * (100 + 10) * camera.scale() - 2 * edge, 1e-6);
   for (const double gap : {0.3, 0.8}) {
     style.halo.gap = gap;
-    const Drawing d = draw(scene, camera, style);
+    const Drawing d = draw_depth(scene, camera, style);
     // Four ends, each clear of the ink by the gap: half the post's width and the bar's round cap.
-    EXPECT_NEAR(length(d, 0), before - 4 * (gap + 0.2 + 0.2), 1e-6);
-    EXPECT_NEAR(length(d, 1), 2 * (100 + 10) * camera.scale(), 1e-6);
+    EXPECT_NEAR(drawn_length(d, 0), before - 4 * (gap + 0.2 + 0.2), 1e-6);
+    EXPECT_NEAR(drawn_length(d, 1), 2 * (100 + 10) * camera.scale(), 1e-6);
   }
 }
 
 TEST(Haloes, WhatTouchesIsNotSetApart) {
   // Edges that meet at corners, lines on a face, a box that stands on another: the same drawing.
-  const Scene scene = scene_of({box({-20, -20, 0}, {20, 20, 10}), box({-5, -5, 10}, {5, 5, 12})});
-  const Camera camera = camera_for(scene, {1, -1.2, 3});
+  const Scene scene =
+      scene_of_forms({box({-20, -20, 0}, {20, 20, 10}), box({-5, -5, 10}, {5, 5, 12})});
+  const Camera camera = camera_along(scene, {1, -1.2, 3});
   Style style = builtin_style("outline");
-  const double before = length(draw(scene, camera, style), 0);
+  const double before = drawn_length(draw_depth(scene, camera, style), 0);
   style.halo.gap = 0.5;
-  EXPECT_NEAR(length(draw(scene, camera, style), 0), before, 2 * 0.9)
+  EXPECT_NEAR(drawn_length(draw_depth(scene, camera, style), 0), before, 2 * 0.9)
       << "only where the small box stands before the edge of its foot";
-  const Scene sphere = scene_of({std::make_shared<ParametricForm>(
+  const Scene sphere = scene_of_forms({std::make_shared<ParametricForm>(
       std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(test::sphere_nurbs(20))})});
-  const Camera eye = camera_for(sphere, {1, -1, 1});
+  const Camera eye = camera_along(sphere, {1, -1, 1});
   Style engraving = builtin_style("engraving");
-  const double strokes = length(draw(sphere, eye, engraving), 0);
+  const double strokes = drawn_length(draw_depth(sphere, eye, engraving), 0);
   engraving.halo.gap = 0.5;
-  EXPECT_NEAR(length(draw(sphere, eye, engraving), 0), strokes, 1e-3 * strokes)
+  EXPECT_NEAR(drawn_length(draw_depth(sphere, eye, engraving), 0), strokes, 1e-3 * strokes)
       << "strokes run into the contour of their own sheet";
 }
 
@@ -111,18 +113,18 @@ std::vector<std::pair<const char*, Scene>> tori() {
         make_function(implicit::translate(implicit::torus(r, 4), {0, 0, z})), std::nullopt,
         RunContext{});
   };
-  return {{"mesh", scene_of({std::make_shared<MeshForm>(test::torus(16, 4, 160, 80)),
-                             moved(test::torus(26, 4, 240, 80))})},
-          {"nurbs", scene_of({chart(16, 0), chart(26, -30)})},
-          {"implicit", scene_of({implicit(16, 0), implicit(26, -30)})}};
+  return {{"mesh", scene_of_forms({std::make_shared<MeshForm>(test::torus(16, 4, 160, 80)),
+                                   moved(test::torus(26, 4, 240, 80))})},
+          {"nurbs", scene_of_forms({chart(16, 0), chart(26, -30)})},
+          {"implicit", scene_of_forms({implicit(16, 0), implicit(26, -30)})}};
 }
 
 TEST(Haloes, NoInkStandsWithinTheGapOfANearerContourInAnyForm) {
   for (const auto& [name, scene] : tori()) {
-    const Camera camera = camera_for(scene, {0.5, -0.4, 1});
+    const Camera camera = camera_along(scene, {0.5, -0.4, 1});
     Style style = builtin_style("engraving");
     style.halo.gap = 0.6;
-    const Drawing d = draw(scene, camera, style);
+    const Drawing d = draw_depth(scene, camera, style);
     std::vector<const Path*> near;
     for (const Layer& layer : d.layers) {
       for (const Path& p : layer.paths) {
@@ -158,25 +160,25 @@ TEST(Haloes, NoInkStandsWithinTheGapOfANearerContourInAnyForm) {
 }
 
 TEST(Haloes, HiddenLinesInFullAreInterruptedByNearerOnes) {
-  const Scene scene = scene_of({box({0, 0, 0}, {10, 10, 10})});
-  const Camera camera = camera_for(scene, {1, -1.4, 0.7});
+  const Scene scene = scene_of_forms({box({0, 0, 0}, {10, 10, 10})});
+  const Camera camera = camera_along(scene, {1, -1.4, 0.7});
   Style style = builtin_style("wireframe");
   style.depth.near = style.depth.far = 1;
   style.halo.gap = 0;
-  const double edges = length(draw(scene, camera, style), 0);
+  const double edges = drawn_length(draw_depth(scene, camera, style), 0);
   double all = 0;
   for (const Vec3 e : {Vec3(10, 0, 0), Vec3(0, 10, 0), Vec3(0, 0, 10)}) {
     all += 4 * glm::length(camera.to_paper(e) - camera.to_paper(Vec3(0)));
   }
   EXPECT_NEAR(edges, all, 1e-6) << "nothing is removed";
   style.halo.gap = 0.7;
-  const Drawing d = draw(scene, camera, style);
+  const Drawing d = draw_depth(scene, camera, style);
   std::map<std::string, int> layers;
   for (const Layer& layer : d.layers) layers[layer.name] = static_cast<int>(layer.paths.size());
   EXPECT_EQ(layers.count("hidden"), 0u);
   // Each of the two crossings of this view cuts one hidden edge in two.
   EXPECT_EQ(layers["behind"], 5);
-  EXPECT_LT(length(d, 0), all - 2 * 1.4);
+  EXPECT_LT(drawn_length(d, 0), all - 2 * 1.4);
   std::ostringstream svg;
   RunContext context;
   write_svg(d, {}, svg, context);
@@ -185,10 +187,10 @@ TEST(Haloes, HiddenLinesInFullAreInterruptedByNearerOnes) {
 
 TEST(DepthCues, WidthsAreLinearInDepth) {
   constexpr double kTolerance = 0.01;  // coarse facets are rounded by it
-  const Scene scene = scene_of(
+  const Scene scene = scene_of_forms(
       {std::make_shared<MeshForm>(test::torus(20, 8, 64, 32)), box({-30, -4, -60}, {30, 4, -40})});
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(35)}) {
-    const Camera camera = camera_for(scene, {1, -1, 1.5}, perspective);
+    const Camera camera = camera_along(scene, {1, -1, 1.5}, perspective);
     double front = -1e9, back = 1e9;
     for (const Part& part : scene.parts) {
       RunContext context;
@@ -219,12 +221,12 @@ TEST(DepthCues, WidthsAreLinearInDepth) {
 }
 
 TEST(DepthCues, StrokesKeepTheirFactorAndPale) {
-  const Scene scene = scene_of({std::make_shared<MeshForm>(test::torus(20, 8, 64, 32))});
-  const Camera camera = camera_for(scene, {1, -1, 1});
+  const Scene scene = scene_of_forms({std::make_shared<MeshForm>(test::torus(20, 8, 64, 32))});
+  const Camera camera = camera_along(scene, {1, -1, 1});
   Style style = builtin_style("engraving");
-  const Drawing plain = draw(scene, camera, style);
+  const Drawing plain = draw_depth(scene, camera, style);
   style.depth.near = style.depth.far = 0.5;
-  const Drawing thin = draw(scene, camera, style);
+  const Drawing thin = draw_depth(scene, camera, style);
   const auto ink = [](const Drawing& d, const char* layer) {
     double sum = 0;
     for (const Layer& l : d.layers) {
@@ -240,18 +242,18 @@ TEST(DepthCues, StrokesKeepTheirFactorAndPale) {
   EXPECT_NEAR(ink(thin, "stroke-1") / ink(plain, "stroke-1"), 0.5, 1e-3);
   style.depth.near = style.depth.far = 1;
   style.depth.ink = 0.2;
-  const double pale = ink(draw(scene, camera, style), "stroke-1");
+  const double pale = ink(draw_depth(scene, camera, style), "stroke-1");
   EXPECT_LT(pale, 0.85 * ink(plain, "stroke-1"));
   EXPECT_GT(pale, 0.3 * ink(plain, "stroke-1"));
 }
 
 TEST(Isophotes, StrokesKeepTheirAngleInEveryForm) {
   for (const auto& [name, scene] : tori()) {
-    const Camera camera = camera_for(scene, {0.5, -0.4, 1});
+    const Camera camera = camera_along(scene, {0.5, -0.4, 1});
     Style style = builtin_style("engraving");
     style.hatch.field.name = "isophote";
     style.hatch.cross_from = 2;
-    const Drawing d = draw(scene, camera, style);
+    const Drawing d = draw_depth(scene, camera, style);
     const double radius[2] = {16, 26}, z[2] = {0, -30};
     double worst = 0, sum = 0, count = 0;
     for (const Layer& layer : d.layers) {

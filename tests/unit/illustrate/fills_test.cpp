@@ -38,8 +38,8 @@ Scene row_of_boxes() {
   return scene;
 }
 
-Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> looks = {},
-             const char* view = "front") {
+Drawing draw_fills(const Scene& scene, const Style& style, std::vector<PartStyle> looks = {},
+                   const char* view = "front") {
   RunContext context;
   const NamedView v = named_view(view);
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
@@ -47,18 +47,18 @@ Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> look
   return illustrate(scene, camera, style, {.part_styles = std::move(looks)}, context);
 }
 
-std::vector<std::string> fills(const Drawing& drawing) {
+std::vector<std::string> fills_of(const Drawing& drawing) {
   std::vector<std::string> out(4);
   for (const Area& area : drawing.areas) out.at(static_cast<std::size_t>(area.part)) = area.fill;
   return out;
 }
 
 TEST(Fills, ThereAreNoneUnlessTheyAreAskedFor) {
-  EXPECT_TRUE(draw(row_of_boxes(), builtin_style("outline")).areas.empty());
+  EXPECT_TRUE(draw_fills(row_of_boxes(), builtin_style("outline")).areas.empty());
 }
 
 TEST(Fills, OfPartsAreTheirOwnOrThoseOfAPaletteTheSameForCopies) {
-  const std::vector<std::string> all = fills(draw(row_of_boxes(), builtin_style("flat")));
+  const std::vector<std::string> all = fills_of(draw_fills(row_of_boxes(), builtin_style("flat")));
   EXPECT_EQ(all[0], "#7090b0");
   EXPECT_TRUE(rgb_of(all[1]));
   EXPECT_EQ(all[1], all[2]) << "copies of one thing";
@@ -72,7 +72,7 @@ TEST(Fills, OfOneColourAreThatButWhereAPartSaysOtherwise) {
   looks[1].style = builtin_style("outline");
   looks[2].style = style;
   looks[2].style->fill.color = "#00ff00";
-  const std::vector<std::string> all = fills(draw(row_of_boxes(), style, looks));
+  const std::vector<std::string> all = fills_of(draw_fills(row_of_boxes(), style, looks));
   EXPECT_EQ(all, (std::vector<std::string>{"#f28e2b", "", "#00ff00", "#f28e2b"}));
 }
 
@@ -116,7 +116,7 @@ std::map<std::string, double> sizes_of_colors(const Drawing& drawing) {
 
 TEST(Fills, OfFacesAreTheirOwn) {
   const std::map<std::string, double> found =
-      sizes_of_colors(draw(painted_plate(), builtin_style("flat")));
+      sizes_of_colors(draw_fills(painted_plate(), builtin_style("flat")));
   ASSERT_EQ(found.size(), 3u);
   EXPECT_NEAR(found.at("#00ff00"), 1, 1e-9) << "below the others";
   EXPECT_NEAR(found.at("#ff0000"), 150 / 800.0, 1e-4);
@@ -126,7 +126,7 @@ TEST(Fills, OfFacesAreTheirOwn) {
 TEST(Fills, OfFacesAreThatOfTheStyleWhereItSaysOne) {
   Style style = builtin_style("flat");
   set_style_key(style, "fill.color", "orange");
-  const Drawing drawing = draw(painted_plate(), style);
+  const Drawing drawing = draw_fills(painted_plate(), style);
   ASSERT_EQ(drawing.areas.size(), 1u);
   EXPECT_EQ(drawing.areas[0].fill, "#f28e2b");
 }
@@ -136,11 +136,11 @@ TEST(Fills, OfFacesAreKeptByMirroredAndCutParts) {
   Placement mirror;
   mirror.linear[0][0] = -1;
   scene.parts[0].form = scene.parts[0].form->mapped(mirror);
-  auto found = sizes_of_colors(draw(scene, builtin_style("flat")));
+  auto found = sizes_of_colors(draw_fills(scene, builtin_style("flat")));
   EXPECT_NEAR(found["#ff0000"], 150 / 800.0, 1e-4);
   // What is left is the right half, seen mirrored: red and half of the rest.
   scene.parts[0].form = cut_form(scene.parts[0].form, CutPlane{{-1, 0, 0}, 20}, 0, "plate");
-  found = sizes_of_colors(draw(scene, builtin_style("flat")));
+  found = sizes_of_colors(draw_fills(scene, builtin_style("flat")));
   EXPECT_NEAR(found["#ff0000"], 150 / 400.0, 1e-4);
   EXPECT_FALSE(found.contains("#3366ff"));
 }
@@ -153,7 +153,7 @@ TEST(Fills, OfGlassAreSeenThroughAndPaintedLast) {
   std::vector<PartStyle> looks(2);
   looks[0].transparent = true;
   scene.parts[0].opacity = 0.4;
-  const Drawing drawing = draw(scene, builtin_style("flat"), looks);
+  const Drawing drawing = draw_fills(scene, builtin_style("flat"), looks);
   ASSERT_EQ(drawing.areas.size(), 2u);
   EXPECT_EQ(drawing.areas[0].part, 1);
   EXPECT_EQ(drawing.areas[0].opacity, 1);
@@ -186,13 +186,13 @@ TEST(Fills, OfDarkPartsAreLighterWhereBlackLinesWouldVanish) {
   scene.parts[2].color = "#595959";
   scene.parts[3].color = "#5a5a5a";
   Style style = builtin_style("flat");
-  EXPECT_EQ(fills(draw(scene, style)),
+  EXPECT_EQ(fills_of(draw_fills(scene, style)),
             (std::vector<std::string>{"#595959", "#59595d", "#595959", "#5a5a5a"}));
   style.sheet.ink = "#ffffff";
-  EXPECT_EQ(fills(draw(scene, style))[0], "#000000") << "white lines are seen";
+  EXPECT_EQ(fills_of(draw_fills(scene, style))[0], "#000000") << "white lines are seen";
   style = builtin_style("flat");
   style.fill.color = "#000000";
-  EXPECT_EQ(fills(draw(scene, style))[0], "#000000") << "as the user says";
+  EXPECT_EQ(fills_of(draw_fills(scene, style))[0], "#000000") << "as the user says";
 }
 
 TEST(Fills, OfTwoTonesLeaveTheLeftSideOfABoxInLightAndTheRightInShade) {
@@ -200,7 +200,7 @@ TEST(Fills, OfTwoTonesLeaveTheLeftSideOfABoxInLightAndTheRightInShade) {
   scene.parts.push_back({"box", "a.stl", std::make_shared<MeshForm>(test::box(Vec3(0), Vec3(20)))});
   for (const char* name : {"shaded", "manual"}) {
     double all = 0, shade = 0;
-    for (const Area& area : draw(scene, builtin_style(name), {}, "iso").areas) {
+    for (const Area& area : draw_fills(scene, builtin_style(name), {}, "iso").areas) {
       if (area.part < 0) continue;
       (area.tone > 0 ? all : shade) += std::abs(test::signed_area(area));
     }
@@ -214,7 +214,7 @@ TEST(Fills, OfAnInkAreTintsOfItTheDarkestAllOfIt) {
   Scene scene;
   scene.parts.push_back(
       {"ball", "a.stl", std::make_shared<MeshForm>(test::ellipsoid(Vec3(20), 48, 24))});
-  const Drawing drawing = draw(scene, style);
+  const Drawing drawing = draw_fills(scene, style);
   ASSERT_EQ(drawing.inks, (std::vector<SpotInk>{{"Spot", "#0078bf"}}));
   std::vector<double> tints;
   for (const Area& area : drawing.areas) {
@@ -233,7 +233,7 @@ TEST(Fills, OfAnInkAreTintsOfItTheDarkestAllOfIt) {
 TEST(Fills, OfOneInkInTwoColoursAreTold) {
   Style style = builtin_style("flat");
   style.fill.ink = "Blue";
-  const Drawing drawing = draw(row_of_boxes(), style);
+  const Drawing drawing = draw_fills(row_of_boxes(), style);
   EXPECT_TRUE(std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
     return d.code == "fill.ink_colors" && d.count == 3;
   }));
@@ -246,7 +246,7 @@ TEST(Fills, OfOneInkInTwoColoursAreTold) {
 TEST(Fills, FacesThatAnInkCannotShowAreTold) {
   Style style = builtin_style("flat");
   const auto told = [&] {
-    const Drawing drawing = draw(painted_plate(), style);
+    const Drawing drawing = draw_fills(painted_plate(), style);
     std::set<std::string> colors;
     for (const Area& area : drawing.areas) colors.insert(area.fill);
     const auto& all = drawing.diagnostics.entries();
@@ -266,7 +266,7 @@ TEST(Fills, OfAnInkOnAShadowOfTheGroundAreMixedWithThePaper) {
   style.fill.opacity = 0.5;
   style.fill.tint = 0.6;
   style.shadow.ground = true;
-  const Drawing drawing = draw(row_of_boxes(), style, {}, "iso");
+  const Drawing drawing = draw_fills(row_of_boxes(), style, {}, "iso");
   ASSERT_EQ(drawing.areas.front().part, -1) << "the shadow";
   for (const Area& area : drawing.areas) {
     if (area.part < 0) continue;
@@ -302,7 +302,7 @@ std::vector<std::string> seen_colors(const Scene& scene, const Style& style) {
   options.annotations->items = items;
   options.annotations->legend = legend_rows(scene, style, options, items);
   std::vector<std::string> out;
-  const Drawing drawing = draw(scene, style);
+  const Drawing drawing = draw_fills(scene, style);
   for (const LegendRow& row : with_seen_rows(scene, style, options, drawing).legend) {
     if (!row.seen) continue;
     EXPECT_EQ(row.name, "plate");
@@ -346,7 +346,7 @@ TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
       std::make_shared<const FaceColors>(FaceColors{{"#ff0000", "#3366ff33"}, {-1, 0, 1}});
   std::vector<PartStyle> looks(1);
   looks[0].transparent = true;
-  const Drawing drawing = draw(scene, builtin_style("flat"), looks);
+  const Drawing drawing = draw_fills(scene, builtin_style("flat"), looks);
   std::map<std::string, std::pair<double, double>> found;  // opacity, area
   double all = 0;
   for (const Area& area : drawing.areas) {
@@ -365,15 +365,15 @@ TEST(Fills, OfGlassHaveTheColoursAndOpacitiesOfItsFaces) {
   };
   EXPECT_FALSE(tells(drawing));
   // A part that is solid as a whole is: that is told.
-  const Drawing solid = draw(scene, builtin_style("flat"));
+  const Drawing solid = draw_fills(scene, builtin_style("flat"));
   EXPECT_TRUE(tells(solid));
   for (const Area& area : solid.areas) EXPECT_EQ(area.opacity, 1);
   EXPECT_TRUE(sizes_of_colors(solid).contains("#3366ff"));
-  EXPECT_FALSE(tells(draw(scene, builtin_style("outline"))));
+  EXPECT_FALSE(tells(draw_fills(scene, builtin_style("outline"))));
 }
 
 /// Paper mm of all lines of the layer of hatching.
-double hatched(const Drawing& drawing) {
+double hatched_length(const Drawing& drawing) {
   double sum = 0;
   for (const Layer& layer : drawing.layers) {
     if (layer.name != "fill-hatch") continue;
@@ -395,24 +395,24 @@ TEST(Fills, AreHatchedInTheTonesThatAreAskedFor) {
   };
   for (int tones = 1; tones <= 3; ++tones) {
     style.fill.hatch.tones = tones;
-    const Drawing drawing = draw(scene, style);
+    const Drawing drawing = draw_fills(scene, style);
     const double wanted = size(drawing, tones - 1);
     EXPECT_GT(wanted, 100);
-    EXPECT_NEAR(hatched(drawing) * 0.2, wanted, 0.01 * wanted) << tones;
+    EXPECT_NEAR(hatched_length(drawing) * 0.2, wanted, 0.01 * wanted) << tones;
     EXPECT_EQ(drawing.layers.front().name, "fill-hatch") << "below the lines";
   }
   // Crossed, each tone has what is darker once more.
   style.fill.hatch.tones = 2;
   style.fill.hatch.lines = FillHatch::Lines::Cross;
-  const Drawing crossed = draw(scene, style);
+  const Drawing crossed = draw_fills(scene, style);
   const double both = size(crossed, 1) + size(crossed, 0);
-  EXPECT_NEAR(hatched(crossed) * 0.2, both, 0.01 * both);
+  EXPECT_NEAR(hatched_length(crossed) * 0.2, both, 0.01 * both);
   // In the stead of a colour.
   style.shadow.cast = false;
-  const double unshaded = hatched(draw(scene, style));
+  const double unshaded = hatched_length(draw_fills(scene, style));
   style.fill.color = "none";
-  const Drawing alone = draw(scene, style);
-  EXPECT_NEAR(hatched(alone), unshaded, 1e-6);
+  const Drawing alone = draw_fills(scene, style);
+  EXPECT_NEAR(hatched_length(alone), unshaded, 1e-6);
   EXPECT_TRUE(std::ranges::all_of(alone.areas, [](const Area& a) { return a.fill.empty(); }));
 }
 
@@ -424,7 +424,7 @@ TEST(Fills, OfFacesAreHatchedOnceInTheirColours) {
   style.fill.hatch.color = "fill";
   for (const double opacity : {1.0, 0.5, 0.0}) {
     style.fill.opacity = opacity;
-    const Drawing drawing = draw(scene, style);
+    const Drawing drawing = draw_fills(scene, style);
     std::map<std::string, double> lengths;
     for (const Layer& layer : drawing.layers) {
       if (layer.name != "fill-hatch") continue;
@@ -441,9 +441,9 @@ TEST(Fills, OfFacesAreHatchedOnceInTheirColours) {
   // In one colour no line is drawn twice.
   style.fill.opacity = 1;
   style.fill.hatch.color = "#000000";
-  const double painted = hatched(draw(scene, style));
+  const double painted = hatched_length(draw_fills(scene, style));
   style.fill.color = "#f28e2b";
-  EXPECT_NEAR(painted, hatched(draw(scene, style)), 1e-3 * painted);
+  EXPECT_NEAR(painted, hatched_length(draw_fills(scene, style)), 1e-3 * painted);
 }
 
 TEST(Fills, HatchedInTheColourOfAnInkAreInIt) {
@@ -452,9 +452,9 @@ TEST(Fills, HatchedInTheColourOfAnInkAreInIt) {
   style.fill.ink = "Spot";
   style.fill.opacity = 0;
   style.fill.hatch.lines = FillHatch::Lines::Lines;
-  EXPECT_TRUE(draw(row_of_boxes(), style).inks.empty()) << "nothing is printed in it";
+  EXPECT_TRUE(draw_fills(row_of_boxes(), style).inks.empty()) << "nothing is printed in it";
   style.fill.hatch.color = "fill";
-  const Drawing drawing = draw(row_of_boxes(), style);
+  const Drawing drawing = draw_fills(row_of_boxes(), style);
   EXPECT_EQ(drawing.inks, (std::vector<SpotInk>{{"Spot", "#000000"}}));
   ASSERT_EQ(drawing.layers.front().name, "fill-hatch");
   EXPECT_EQ(drawing.layers.front().paths.front().color, "#000000") << "that of the sheet says less";
@@ -466,12 +466,12 @@ TEST(Fills, OfGlassAreNotHatched) {
   style.fill.hatch.tones = 2;
   std::vector<PartStyle> looks(4);
   looks[1].transparent = true;
-  std::set<std::int32_t> hatched;
-  for (const Layer& layer : draw(row_of_boxes(), style, looks).layers) {
+  std::set<std::int32_t> parts;
+  for (const Layer& layer : draw_fills(row_of_boxes(), style, looks).layers) {
     if (layer.name != "fill-hatch") continue;
-    for (const Path& path : layer.paths) hatched.insert(path.source.part);
+    for (const Path& path : layer.paths) parts.insert(path.source.part);
   }
-  EXPECT_EQ(hatched, (std::set<std::int32_t>{0, 2, 3}));
+  EXPECT_EQ(parts, (std::set<std::int32_t>{0, 2, 3}));
 }
 
 TEST(Fills, LightnessIsThatOfTheEye) {

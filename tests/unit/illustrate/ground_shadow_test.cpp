@@ -28,7 +28,7 @@ struct Seen {
 
 /// `glass`: all parts, or the last one alone.
 enum class Glass { None, Last, All };
-Seen draw(const Scene& scene, const char* view, Glass glass = Glass::None) {
+Seen draw_on_ground(const Scene& scene, const char* view, Glass glass = Glass::None) {
   Style style = builtin_style("flat");
   style.shadow.ground = true;
   RunContext context;
@@ -61,7 +61,7 @@ const Area* shadow_of(const Drawing& drawing) {
 
 TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
   const double w = 20, d = 30, h = 25;
-  const Seen seen = draw(boxes({{{-10, -15, 4}, {10, 15, 4 + h}}}), "iso");
+  const Seen seen = draw_on_ground(boxes({{{-10, -15, 4}, {10, 15, 4 + h}}}), "iso");
   const Area* shadow = shadow_of(seen.drawing);
   ASSERT_NE(shadow, nullptr);
   EXPECT_EQ(shadow, &seen.drawing.areas.front()) << "it lies below all parts";
@@ -98,14 +98,14 @@ TEST(GroundShadow, AndItsPartsFillTheSheetInPerspectiveToo) {
 
 TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {
   // A second box, lower and far away, lets the shadow of the first fall farther.
-  const Seen alone = draw(boxes({{{-5, -5, 40}, {5, 5, 50}}}), "iso");
+  const Seen alone = draw_on_ground(boxes({{{-5, -5, 40}, {5, 5, 50}}}), "iso");
   const Seen both =
-      draw(boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-60, -60, 0}, {-55, -55, 5}}}), "iso");
+      draw_on_ground(boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-60, -60, 0}, {-55, -55, 5}}}), "iso");
   EXPECT_EQ(shadow_of(alone.drawing)->rings.size(), 1u);
   EXPECT_EQ(shadow_of(both.drawing)->rings.size(), 2u);
   // Glass casts none and stands on the ground too: the shadow of what it holds lies at its foot.
   const Scene held = boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-20, -20, 0}, {20, 20, 60}}});
-  const Seen seen = draw(held, "iso", Glass::Last);
+  const Seen seen = draw_on_ground(held, "iso", Glass::Last);
   const Area* at_foot = shadow_of(seen.drawing);
   ASSERT_NE(at_foot, nullptr);
   Box2 box;
@@ -116,9 +116,9 @@ TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {
 
 TEST(GroundShadow, ThereIsNoneFromBelowFromTheSideAndOfGlass) {
   const Scene scene = boxes({{{-10, -15, 4}, {10, 15, 29}}});
-  EXPECT_EQ(shadow_of(draw(scene, "bottom").drawing), nullptr);
-  EXPECT_EQ(shadow_of(draw(scene, "front").drawing), nullptr);
-  EXPECT_EQ(shadow_of(draw(scene, "iso", Glass::All).drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw_on_ground(scene, "bottom").drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw_on_ground(scene, "front").drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw_on_ground(scene, "iso", Glass::All).drawing), nullptr);
 }
 
 Box2 box_of(const Drawing& drawing) {

@@ -18,7 +18,7 @@
 namespace burin {
 namespace {
 
-Scene ball(bool faceted) {
+Scene faceted_ball(bool faceted) {
   Scene scene;
   std::shared_ptr<const Form> form = std::make_shared<ParametricForm>(
       std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(test::sphere_nurbs(10))});
@@ -27,7 +27,7 @@ Scene ball(bool faceted) {
   return scene;
 }
 
-Drawing draw(const Scene& scene, const Style& style) {
+Drawing draw_levels(const Scene& scene, const Style& style) {
   RunContext context;
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                                     {.direction = {1, -1, 0.7}, .paper = {90, 90}});
@@ -60,7 +60,7 @@ TEST(Levels, OfPlanesAreContourLinesAtWholeStepsOfHeight) {
     SCOPED_TRACE(faceted);
     Style style = builtin_style("contour-map");
     style.hatch.level_step = 1;
-    const Steps steps = steps_of(draw(ball(faceted), style), 1);
+    const Steps steps = steps_of(draw_levels(faceted_ball(faceted), style), 1);
     EXPECT_LT(steps.off, faceted ? 0.02 : 1e-6);
     for (long z = -7; z <= 9; ++z) {
       // The part of the circle that faces the viewer; the line of sight rises by 26 degrees.
@@ -75,7 +75,7 @@ TEST(Levels, OfPlanesAreContourLinesAtWholeStepsOfHeight) {
 }
 
 TEST(Levels, HaveARoundStepWhereNoneIsGiven) {
-  const Drawing drawing = draw(ball(false), builtin_style("contour-map"));
+  const Drawing drawing = draw_levels(faceted_ball(false), builtin_style("contour-map"));
   // About 1.6 mm on paper, of 1, 2, 5 and so on: half a model mm at a scale of 3.5.
   EXPECT_LT(steps_of(drawing, 0.5).off, 1e-6);
 }
@@ -84,7 +84,7 @@ TEST(Levels, ThatAFieldDoesNotHaveOrThatLieTooCloseAreRefused) {
   Style style = builtin_style("contour-map");
   style.hatch.field.name = "smoothed";
   try {
-    draw(ball(false), style);
+    draw_levels(faceted_ball(false), style);
     FAIL() << "it was drawn";
   } catch (const UsageError& e) {
     EXPECT_NE(
@@ -94,7 +94,7 @@ TEST(Levels, ThatAFieldDoesNotHaveOrThatLieTooCloseAreRefused) {
   }
   style.hatch.field.name = "planes";
   style.hatch.level_step = 0.001;
-  EXPECT_THROW(draw(ball(false), style), UsageError);
+  EXPECT_THROW(draw_levels(faceted_ball(false), style), UsageError);
 }
 
 std::string reported(const Drawing& drawing) {
@@ -107,12 +107,12 @@ std::string reported(const Drawing& drawing) {
 
 TEST(UnusedChoices, OfStrokesAreToldOnce) {
   Style style = builtin_style("engraving");
-  EXPECT_EQ(reported(draw(ball(false), style)), "");
+  EXPECT_EQ(reported(draw_levels(faceted_ball(false), style)), "");
   style.hatch.length_law = "2";
   style.hatch.motif = "M0 0h1";
   style.tone.shadow = 0.5;
   style.tone.law = "constant";
-  EXPECT_EQ(reported(draw(ball(false), style)),
+  EXPECT_EQ(reported(draw_levels(faceted_ball(false), style)),
             "hatch.length_law has no effect: it is for strokes on points (hatch.placing points, "
             "discs), not even\n"
             "hatch.motif has no effect: it is for strokes on points (hatch.placing points, discs), "
@@ -120,7 +120,7 @@ TEST(UnusedChoices, OfStrokesAreToldOnce) {
             "tone.shadow has no effect: tone.law constant looks at no light\n");
   style.hatch.placing = "discs";
   style.tone.law = "lambert";
-  EXPECT_EQ(reported(draw(ball(false), style)), "");
+  EXPECT_EQ(reported(draw_levels(faceted_ball(false), style)), "");
 }
 
 }  // namespace

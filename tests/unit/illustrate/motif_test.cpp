@@ -31,7 +31,8 @@ Style style_of(const std::string& motif) {
   return style;
 }
 
-Drawing draw(std::shared_ptr<const Form> form, const Style& style, const char* view = "front") {
+Drawing draw_motif(std::shared_ptr<const Form> form, const Style& style,
+                   const char* view = "front") {
   Scene scene;
   scene.parts.push_back({"part", "part", std::move(form)});
   RunContext context;
@@ -62,7 +63,7 @@ TEST(Motifs, ACircleOnABallIsOneAsFarFromItsMiddleAsItsRadius) {
       std::make_shared<MeshForm>(test::ellipsoid({kRadius, kRadius, kRadius}, 192, 96));
   for (const bool faceted : {false, true}) {
     SCOPED_TRACE(faceted);
-    const Drawing drawing = draw(
+    const Drawing drawing = draw_motif(
         faceted ? std::static_pointer_cast<const Form>(mesh) : exact(test::sphere_nurbs(kRadius)),
         style_of(kCircle));
     int whole = 0;
@@ -92,7 +93,7 @@ TEST(Motifs, LieAlongTheFieldAndHaveTheSizeThatTheLawOfLengthSays) {
   style.hatch.field.direction = {1, 0, 1};
   style.hatch.length_law = "0.5 + step(z)";
   style.hatch.tone_min = 0.01;
-  const Drawing drawing = draw(exact(test::front_sheet()), style);
+  const Drawing drawing = draw_motif(exact(test::front_sheet()), style);
   const auto strokes = strokes_of(drawing);
   ASSERT_GT(strokes.size(), 50);
   int large = 0;
@@ -117,7 +118,7 @@ TEST(Motifs, StandUprightAsTheyAreDrawn) {
   Style style = style_of("M0 0V10H10");
   style.hatch.field.direction = {1, 0, 0};
   int seen = 0;
-  for (const Path& path : strokes_of(draw(exact(test::front_sheet()), style))) {
+  for (const Path& path : strokes_of(draw_motif(exact(test::front_sheet()), style))) {
     const Vec3 corner = path.points3[path.points3.size() / 2];
     if (std::max(std::abs(corner.x), std::abs(corner.z)) > 16) continue;  // cut at the border
     ASSERT_EQ(path.points.size(), 3);
@@ -130,8 +131,8 @@ TEST(Motifs, StandUprightAsTheyAreDrawn) {
 }
 
 TEST(Motifs, EndAtCreases) {
-  const Drawing drawing = draw(std::make_shared<MeshForm>(test::box({0, 0, 0}, {10, 10, 10})),
-                               style_of(kCircle), "iso");
+  const Drawing drawing = draw_motif(std::make_shared<MeshForm>(test::box({0, 0, 0}, {10, 10, 10})),
+                                     style_of(kCircle), "iso");
   int cut = 0;
   for (const Path& path : strokes_of(drawing)) {
     cut += !path.closed;
@@ -150,7 +151,7 @@ TEST(Motifs, EndAtCreases) {
 TEST(Motifs, KeepClearOnDiscsAndKeepTheTone) {
   Style style = style_of(kCircle);
   style.tone.ambient = 0.3;
-  const Drawing drawing = draw(exact(test::sphere_nurbs(10)), style);
+  const Drawing drawing = draw_motif(exact(test::sphere_nurbs(10)), style);
   std::vector<Vec2> middles;
   for (const Path& path : strokes_of(drawing)) {
     if (!path.closed) continue;
@@ -168,9 +169,9 @@ TEST(Motifs, KeepClearOnDiscsAndKeepTheTone) {
 TEST(Motifs, AreDrawnWholeOrNotByTheLawOfPresence) {
   // Two strokes each.
   Style style = style_of("M0 0L10 10M0 10L10 0");
-  const std::size_t all = strokes_of(draw(exact(test::sphere_nurbs(10)), style)).size();
+  const std::size_t all = strokes_of(draw_motif(exact(test::sphere_nurbs(10)), style)).size();
   style.hatch.presence_law = "0.5";
-  const auto some = strokes_of(draw(exact(test::sphere_nurbs(10)), style));
+  const auto some = strokes_of(draw_motif(exact(test::sphere_nurbs(10)), style));
   EXPECT_NEAR(static_cast<double>(some.size()) / static_cast<double>(all), 0.5, 0.2);
   // Each has another that crosses it in the middle.
   const auto middle_of = [](const Path& path) {
@@ -188,7 +189,7 @@ TEST(Motifs, AreDrawnWholeOrNotByTheLawOfPresence) {
 TEST(Motifs, ThatAreNoPathsEndInOneLineThatNamesTheKey) {
   Style style = style_of("M0 0L");
   try {
-    draw(exact(test::sphere_nurbs(10)), style);
+    draw_motif(exact(test::sphere_nurbs(10)), style);
     FAIL() << "it was drawn";
   } catch (const UsageError& e) {
     EXPECT_EQ(std::string(e.what()),

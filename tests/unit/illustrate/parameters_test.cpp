@@ -18,13 +18,13 @@
 namespace burin {
 namespace {
 
-constexpr double kRadius = 20;
+constexpr double kRadiusOfDisc = 20;
 
 // A disc, its parameters about the middle, where du and dv turn and vanish.
-Vec3 polar(Vec2 uv) { return kRadius * uv.x * Vec3(std::cos(uv.y), std::sin(uv.y), 0); }
+Vec3 polar(Vec2 uv) { return kRadiusOfDisc * uv.x * Vec3(std::cos(uv.y), std::sin(uv.y), 0); }
 // The same disc as a square pressed into it: area gathers in the middle of the square.
 Vec3 square(Vec2 uv) {
-  return kRadius *
+  return kRadiusOfDisc *
          Vec3(uv.x * std::sqrt(1 - uv.y * uv.y / 2), uv.y * std::sqrt(1 - uv.x * uv.x / 2), 0);
 }
 
@@ -61,7 +61,7 @@ Strokes strokes_on(const std::shared_ptr<const Chart>& chart, std::uint64_t seed
       if (path.kind != LineClass::Stroke) continue;
       const Vec3 a = path.points3.front(), b = path.points3.back();
       const Vec3 middle = 0.5 * (a + b);
-      if (std::hypot(middle.x, middle.y) > 0.95 * kRadius) continue;  // cut at the border
+      if (std::hypot(middle.x, middle.y) > 0.95 * kRadiusOfDisc) continue;  // cut at the border
       out.middle.emplace_back(middle.x, middle.y);
       out.length.push_back(glm::distance(a, b));
       out.width.push_back(*std::ranges::max_element(path.width));
@@ -74,10 +74,10 @@ Strokes strokes_on(const std::shared_ptr<const Chart>& chart, std::uint64_t seed
 
 // Rings and sectors of one area.
 constexpr std::size_t kRings = 8, kSectors = 12;
-std::array<double, kRings * kSectors> counted(const std::vector<Vec2>& points) {
+std::array<double, kRings * kSectors> counted_in_sectors(const std::vector<Vec2>& points) {
   std::array<double, kRings * kSectors> count{};
   for (const Vec2& p : points) {
-    const double share = glm::dot(p, p) / (0.95 * 0.95 * kRadius * kRadius);
+    const double share = glm::dot(p, p) / (0.95 * 0.95 * kRadiusOfDisc * kRadiusOfDisc);
     const double turn = (std::atan2(p.y, p.x) + std::numbers::pi) / (2 * std::numbers::pi);
     const auto ring = std::min(kRings - 1, static_cast<std::size_t>(kRings * share));
     const auto sector = std::min(kSectors - 1, static_cast<std::size_t>(kSectors * turn));
@@ -111,7 +111,7 @@ TEST(Parameters, OfADiscDoNotShowInItsStrokes) {
   ASSERT_GT(n, 1000);
   EXPECT_NEAR(n, m, 4 * std::sqrt(n + m));
   // Densities: chi-square of two samples, within four standard deviations of its mean.
-  const auto of_a = counted(a.middle), of_b = counted(b.middle);
+  const auto of_a = counted_in_sectors(a.middle), of_b = counted_in_sectors(b.middle);
   double chi = 0;
   for (std::size_t i = 0; i < of_a.size(); ++i) {
     const double off = std::sqrt(m / n) * of_a[i] - std::sqrt(n / m) * of_b[i];

@@ -29,8 +29,8 @@ Scene wall_and_balls() {
   return scene;
 }
 
-Drawing draw(const Scene& scene, std::vector<PartStyle> part_styles,
-             const char* style = "technical") {
+Drawing draw_styled(const Scene& scene, std::vector<PartStyle> part_styles,
+                    const char* style = "technical") {
   RunContext context;
   const NamedView v = named_view("front");
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
@@ -57,7 +57,7 @@ Ink ink_of(const Drawing& drawing, int part) {
   return ink;
 }
 
-std::string json(const Drawing& drawing) {
+std::string styled_json(const Drawing& drawing) {
   RunContext context;
   std::ostringstream out;
   write_json(drawing, {}, out, context);
@@ -66,14 +66,14 @@ std::string json(const Drawing& drawing) {
 
 TEST(PartStyles, OfTheUsualKindChangeNothing) {
   const Scene scene = wall_and_balls();
-  EXPECT_EQ(json(draw(scene, {})), json(draw(scene, {{}, {}, {}})));
+  EXPECT_EQ(styled_json(draw_styled(scene, {})), styled_json(draw_styled(scene, {{}, {}, {}})));
 }
 
 TEST(PartStyles, WhatIsNotDrawnHidesNothingAndKeepsTheNumbersOfTheOthers) {
   const Scene scene = wall_and_balls();
-  const Drawing all = draw(scene, {});
+  const Drawing all = draw_styled(scene, {});
   EXPECT_EQ(ink_of(all, 1).lines, 0);
-  const Drawing without = draw(scene, {{.drawn = false}});
+  const Drawing without = draw_styled(scene, {{.drawn = false}});
   EXPECT_EQ(ink_of(without, 0).lines, 0);
   EXPECT_GT(ink_of(without, 1).strokes, 0);
   ASSERT_EQ(without.parts.size(), 3u);
@@ -85,21 +85,21 @@ TEST(PartStyles, WhatIsNotDrawnHidesNothingAndKeepsTheNumbersOfTheOthers) {
 
 TEST(PartStyles, ATransparentPartShowsItsLinesItsStrokesAndWhatIsBehind) {
   const Scene scene = wall_and_balls();
-  const Drawing all = draw(scene, {});
-  const Drawing clear = draw(scene, {{.transparent = true}});
+  const Drawing all = draw_styled(scene, {});
+  const Drawing clear = draw_styled(scene, {{.transparent = true}});
   EXPECT_NEAR(ink_of(clear, 0).lines, ink_of(all, 0).lines, 1e-6);
   EXPECT_NEAR(ink_of(clear, 0).strokes, ink_of(all, 0).strokes, 0.1 * ink_of(all, 0).strokes);
-  const Drawing ghost = draw(scene, {{.hatched = false, .transparent = true}});
+  const Drawing ghost = draw_styled(scene, {{.hatched = false, .transparent = true}});
   EXPECT_EQ(ink_of(ghost, 0).strokes, 0);
   EXPECT_NEAR(ink_of(ghost, 0).lines, ink_of(all, 0).lines, 1e-6);
-  const Drawing without = draw(scene, {{.drawn = false}});
+  const Drawing without = draw_styled(scene, {{.drawn = false}});
   EXPECT_NEAR(ink_of(clear, 1).lines, ink_of(without, 1).lines, 1e-6);
   EXPECT_GT(ink_of(clear, 1).strokes, 0);
 }
 
 TEST(PartStyles, ATransparentPartIsHiddenBySolidOnes) {
   const Scene scene = wall_and_balls();
-  const Drawing drawing = draw(scene, {{}, {.transparent = true}});
+  const Drawing drawing = draw_styled(scene, {{}, {.transparent = true}});
   EXPECT_EQ(ink_of(drawing, 1).lines, 0);
 }
 
@@ -110,14 +110,14 @@ TEST(PartStyles, NoStrokesArePlacedBehindPartsOfAnotherStyle) {
   scene.parts.pop_back();  // the ball beside the wall: the other one is behind it
   PartStyle bare;
   bare.style = builtin_style("outline");
-  EXPECT_GT(draw(scene, {{.drawn = false}}).stats.coverage_points, 10);
-  EXPECT_EQ(draw(scene, {bare}).stats.coverage_points, 0);
+  EXPECT_GT(draw_styled(scene, {{.drawn = false}}).stats.coverage_points, 10);
+  EXPECT_EQ(draw_styled(scene, {bare}).stats.coverage_points, 0);
 }
 
 TEST(PartStyles, WhatIsNotHatchedKeepsItsLines) {
   const Scene scene = wall_and_balls();
-  const Drawing all = draw(scene, {});
-  const Drawing bare = draw(scene, {{}, {}, {.hatched = false}});
+  const Drawing all = draw_styled(scene, {});
+  const Drawing bare = draw_styled(scene, {{}, {}, {.hatched = false}});
   EXPECT_GT(ink_of(all, 2).strokes, 0);
   EXPECT_EQ(ink_of(bare, 2).strokes, 0);
   EXPECT_EQ(ink_of(bare, 2).lines, ink_of(all, 2).lines);
@@ -129,7 +129,7 @@ TEST(PartStyles, APartMayHaveAStyleOfItsOwn) {
   thick.line.outer = 1.5;
   PartStyle look;
   look.style = thick;
-  const Drawing drawing = draw(scene, {{}, {}, look});
+  const Drawing drawing = draw_styled(scene, {{}, {}, look});
   EXPECT_EQ(ink_of(drawing, 2).strokes, 0);
   bool seen = false;
   for (const Layer& layer : drawing.layers) {
@@ -161,17 +161,17 @@ TEST(PartStyles, TheLinesAndStrokesOfAPartHaveItsColor) {
   red.style = builtin_style("technical");
   red.style->line.color = "#d00000";
   const std::set<std::string> usual{""}, reds{"#d00000"}, blues{"#0000d0"};
-  const Drawing drawing = draw(scene, {{}, {}, red});
+  const Drawing drawing = draw_styled(scene, {{}, {}, red});
   EXPECT_EQ(colors_of(drawing, 2, false), reds);
   EXPECT_EQ(colors_of(drawing, 2, true), reds);
   EXPECT_EQ(colors_of(drawing, 0, false), usual);
   red.style->hatch.color = "#0000d0";
-  const Drawing two = draw(scene, {{}, {}, red});
+  const Drawing two = draw_styled(scene, {{}, {}, red});
   EXPECT_EQ(colors_of(two, 2, false), reds);
   EXPECT_EQ(colors_of(two, 2, true), blues);
   // Where it is that of the sheet nothing is said of it.
   red.style->line.color = red.style->hatch.color = red.style->sheet.ink;
-  EXPECT_EQ(colors_of(draw(scene, {{}, {}, red}), 2, true), usual);
+  EXPECT_EQ(colors_of(draw_styled(scene, {{}, {}, red}), 2, true), usual);
 }
 
 // A flat egg (part 1) runs into the wall (part 0).
@@ -207,7 +207,7 @@ TEST(PartStyles, LinesInWhichPartsMeetAreThoseOfThePartThatShowsMore) {
   bold.style->line.intersection = 0.5;
   const double usual = pale.style->line.intersection;
   const auto drawn = [&](const PartStyle& wall, const PartStyle& egg) {
-    return meeting_lines(draw(scene, {wall, egg}, "outline"));
+    return meeting_lines(draw_styled(scene, {wall, egg}, "outline"));
   };
   EXPECT_EQ(drawn({}, {}), (MeetingLines{{0, "", usual}}));
   EXPECT_EQ(drawn(pale, {}), (MeetingLines{{1, "", usual}}));
@@ -224,7 +224,7 @@ TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {
   const Scene scene = wall_and_balls();
   PartStyle white;
   white.style = builtin_style("scratchboard");
-  const Drawing drawing = draw(scene, {{}, {}, white});
+  const Drawing drawing = draw_styled(scene, {{}, {}, white});
   const auto entries = drawing.diagnostics.entries();
   const auto reported = std::ranges::find(entries, "option.unused", &Diagnostic::code);
   ASSERT_NE(reported, entries.end());
@@ -234,7 +234,7 @@ TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {
   EXPECT_NE(reported->message.find("line.color"), std::string::npos);
   PartStyle plain;
   plain.style = builtin_style("outline");
-  EXPECT_TRUE(draw(scene, {{}, {}, plain}).diagnostics.entries().empty());
+  EXPECT_TRUE(draw_styled(scene, {{}, {}, plain}).diagnostics.entries().empty());
 }
 
 }  // namespace

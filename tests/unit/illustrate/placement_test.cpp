@@ -74,8 +74,8 @@ std::shared_ptr<const ImplicitFunction> volume(const Place& place) {
   return make_volume_function(std::move(grid), {.level = 7}, context);
 }
 
-Drawing draw(std::shared_ptr<const ImplicitFunction> function, const Place& place,
-             const char* style) {
+Drawing draw_placed(std::shared_ptr<const ImplicitFunction> function, const Place& place,
+                    const char* style) {
   RunContext context;
   Scene scene;
   scene.parts.push_back(
@@ -91,13 +91,13 @@ Drawing draw(std::shared_ptr<const ImplicitFunction> function, const Place& plac
   return illustrate(scene, camera, builtin_style(style), {}, context);
 }
 
-struct Ink {
+struct PlacedInk {
   double features = 0, strokes = 0;  // mm of paper
   std::vector<Vec2> points;          // of features
 };
 
-Ink ink_of(const Drawing& drawing) {
-  Ink ink;
+PlacedInk placed_ink(const Drawing& drawing) {
+  PlacedInk ink;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       const bool stroke = path.kind == LineClass::Stroke;
@@ -114,7 +114,7 @@ Ink ink_of(const Drawing& drawing) {
 
 // Largest distance of a point of `a` from the points of `b`, but for a fiftieth of them: where two
 // lines nearly touch one of them may end a little sooner.
-double gap(const Ink& a, const Ink& b) {
+double gap(const PlacedInk& a, const PlacedInk& b) {
   std::vector<double> gaps;
   for (std::size_t i = 0; i < a.points.size(); i += 7) {
     double least = 1e9;
@@ -128,12 +128,12 @@ double gap(const Ink& a, const Ink& b) {
 template <class Make>
 void draws_the_same(Make&& make) {
   const Place home{"home", 1, Vec3(0), false};
-  const Ink at_home = ink_of(draw(make(home), home, "technical"));
+  const PlacedInk at_home = placed_ink(draw_placed(make(home), home, "technical"));
   ASSERT_GT(at_home.features, 150);
   ASSERT_GT(at_home.strokes, 300);
   for (const Place& place : kPlaces) {
     SCOPED_TRACE(place.name);
-    const Ink there = ink_of(draw(make(place), place, "technical"));
+    const PlacedInk there = placed_ink(draw_placed(make(place), place, "technical"));
     EXPECT_NEAR(there.features, at_home.features, 0.01 * at_home.features);
     // Which half of the lines fades out in the light is chance.
     EXPECT_NEAR(there.strokes, at_home.strokes, 0.06 * at_home.strokes);

@@ -28,7 +28,7 @@ std::shared_ptr<const Form> box_at(double x) {
 }
 
 // What realises a form at the moment, and which threads did.
-struct Seen {
+struct SeenBeside {
   std::atomic<int> now{0}, most{0}, count{0};
   std::mutex mutex;
   std::set<std::thread::id> threads;
@@ -37,7 +37,7 @@ struct Seen {
 // A box that takes its time.
 class SlowForm final : public Form {
  public:
-  SlowForm(double x, std::shared_ptr<Seen> seen, bool beside_others)
+  SlowForm(double x, std::shared_ptr<SeenBeside> seen, bool beside_others)
       : form_(box_at(x)), seen_(std::move(seen)), beside_others_(beside_others) {}
 
   Box3 bounds(const Mat3& axes) const override { return form_->bounds(axes); }
@@ -60,7 +60,7 @@ class SlowForm final : public Form {
 
  private:
   std::shared_ptr<const Form> form_;
-  std::shared_ptr<Seen> seen_;
+  std::shared_ptr<SeenBeside> seen_;
   bool beside_others_;
 };
 
@@ -106,7 +106,7 @@ class EndlessForm final : public Form {
   std::shared_ptr<const Form> form_;
 };
 
-Scene scene_of(const std::vector<std::shared_ptr<const Form>>& forms) {
+Scene scene_beside(const std::vector<std::shared_ptr<const Form>>& forms) {
   Scene scene;
   for (const auto& form : forms) {
     const std::string name = "part " + std::to_string(scene.parts.size());
@@ -122,17 +122,17 @@ Drawing drawn(const Scene& scene, RunContext& context) {
 }
 
 TEST(RealisedBeside, FormsThatDoNotAllowItAreRealisedByTheCallerOneByOne) {
-  const auto seen = std::make_shared<Seen>();
+  const auto seen = std::make_shared<SeenBeside>();
   std::vector<std::shared_ptr<const Form>> forms;
   for (int i = 0; i < 6; ++i) forms.push_back(std::make_shared<SlowForm>(12 * i, seen, false));
   RunContext context;
-  drawn(scene_of(forms), context);
+  drawn(scene_beside(forms), context);
   EXPECT_EQ(seen->most, 1);
   EXPECT_EQ(seen->threads, std::set{std::this_thread::get_id()});
 }
 
 TEST(RealisedBeside, CopiesOfOneFormAreRealisedOnce) {
-  const auto seen = std::make_shared<Seen>();
+  const auto seen = std::make_shared<SeenBeside>();
   const Placer placer(std::make_shared<SlowForm>(0, seen, true));
   std::vector<std::shared_ptr<const Form>> forms{box_at(-20)};
   for (int i = 1; i < 6; ++i) {
@@ -141,7 +141,7 @@ TEST(RealisedBeside, CopiesOfOneFormAreRealisedOnce) {
     forms.push_back(placer.at(by));
   }
   RunContext context;
-  drawn(scene_of(forms), context);
+  drawn(scene_beside(forms), context);
   EXPECT_EQ(seen->count, 1);
 }
 
@@ -153,7 +153,7 @@ TEST(RealisedBeside, WhatIsSaidStandsInTheOrderOfTheParts) {
   }
   for (int run = 0; run < 20; ++run) {
     RunContext context;
-    const Drawing drawing = drawn(scene_of(forms), context);
+    const Drawing drawing = drawn(scene_beside(forms), context);
     std::vector<std::string> texts;
     for (const Diagnostic& d : drawing.diagnostics.entries()) {
       if (d.code.starts_with("test.") || d.code == "part.not_drawn") texts.push_back(d.message);
@@ -172,7 +172,7 @@ TEST(RealisedBeside, AllAreCancelledWithTheRun) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     context.cancel();
   });
-  EXPECT_THROW(drawn(scene_of(forms), context), Cancelled);
+  EXPECT_THROW(drawn(scene_beside(forms), context), Cancelled);
 }
 
 TEST(RealisedBeside, APieceOfARunHasStagesOfItsOwn) {

@@ -82,7 +82,7 @@ class CountedNormals final : public Form {
   MeshForm form_;
 };
 
-std::string json(const Drawing& drawing) {
+std::string session_json(const Drawing& drawing) {
   RunContext context;
   std::ostringstream out;
   write_json(drawing, {}, out, context);
@@ -114,8 +114,8 @@ class SessionTest : public ::testing::Test {
   // The session's drawing, which has to be that of a fresh run.
   std::string draw() {
     RunContext context;
-    std::string kept = json(session_.draw(scene_, camera(), style_, options_, context));
-    EXPECT_EQ(kept, json(illustrate(scene_, camera(), style_, options_, context)));
+    std::string kept = session_json(session_.draw(scene_, camera(), style_, options_, context));
+    EXPECT_EQ(kept, session_json(illustrate(scene_, camera(), style_, options_, context)));
     return kept;
   }
   // How often the session realised it in a drawing.

@@ -24,7 +24,8 @@ Scene two_balls() {
   return scene;
 }
 
-Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> part_styles = {}) {
+Drawing draw_kinds(const Scene& scene, const Style& style,
+                   std::vector<PartStyle> part_styles = {}) {
   RunContext context;
   const NamedView v = named_view("front");
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
@@ -53,7 +54,7 @@ Style crossed() {
 }
 
 TEST(StrokeKinds, TwoOnOnePartAreDrawnTogetherEachByItsOwnField) {
-  const Drawing drawing = draw(two_balls(), crossed());
+  const Drawing drawing = draw_kinds(two_balls(), crossed());
   const auto count = counted(drawing);
   ASSERT_EQ(count.size(), 2u);
   for (const int part : {0, 1}) {
@@ -76,25 +77,25 @@ TEST(StrokeKinds, TwoOnOnePartAreDrawnTogetherEachByItsOwnField) {
 TEST(StrokeKinds, StandOnThePartsThatTheySelect) {
   Style style = crossed();
   set_style_key(style, "strokes.2.select", "right");
-  const auto count = counted(draw(two_balls(), style));
+  const auto count = counted(draw_kinds(two_balls(), style));
   EXPECT_EQ(count.at("stroke-1").size(), 2u);
   EXPECT_EQ(count.at("stroke-1-kind-2").size(), 1u);
   EXPECT_TRUE(count.at("stroke-1-kind-2").contains(1));
   // Where there is one kind alone it has all the ink, as it has without the other.
   Style alone = crossed();
   alone.strokes.clear();
-  const auto without = counted(draw(two_balls(), alone));
+  const auto without = counted(draw_kinds(two_balls(), alone));
   EXPECT_EQ(count.at("stroke-1").at(0), without.at("stroke-1").at(0));
 }
 
 TEST(StrokeKinds, ASelectorOfTheFirstKindHoldsToo) {
   Style style = builtin_style("engraving");
   style.hatch.select = "left";
-  const auto count = counted(draw(two_balls(), style));
+  const auto count = counted(draw_kinds(two_balls(), style));
   EXPECT_EQ(count.at("stroke-1").size(), 1u);
   style.hatch.select = "lft";
   try {
-    draw(two_balls(), style);
+    draw_kinds(two_balls(), style);
     FAIL() << "it was drawn";
   } catch (const UsageError& e) {
     EXPECT_NE(std::string(e.what()).find("left"), std::string::npos) << e.what();
@@ -106,7 +107,7 @@ TEST(StrokeKinds, OneThatIsOffChangesNothing) {
   const Style style = builtin_style("engraving");
   Style other = style;
   set_style_key(other, "strokes.2.enabled", "false");
-  const Drawing a = draw(two_balls(), style), b = draw(two_balls(), other);
+  const Drawing a = draw_kinds(two_balls(), style), b = draw_kinds(two_balls(), other);
   ASSERT_EQ(a.layers.size(), b.layers.size());
   for (std::size_t i = 0; i < a.layers.size(); ++i) {
     ASSERT_EQ(a.layers[i].paths.size(), b.layers[i].paths.size());
@@ -120,9 +121,9 @@ TEST(StrokeKinds, OneThatIsOffChangesNothing) {
 TEST(StrokeKinds, HaveToneOfTheirOwnThatTheOthersDoNotGiveWayTo) {
   Style style = crossed();
   style.strokes.front().tone.law = "silhouette";
-  const auto with = counted(draw(two_balls(), style));
+  const auto with = counted(draw_kinds(two_balls(), style));
   style.strokes.clear();
-  const auto without = counted(draw(two_balls(), style));
+  const auto without = counted(draw_kinds(two_balls(), style));
   EXPECT_EQ(with.at("stroke-1"), without.at("stroke-1"));
   EXPECT_GT(with.at("stroke-1-kind-2").size(), 1u);
 }
@@ -130,16 +131,16 @@ TEST(StrokeKinds, HaveToneOfTheirOwnThatTheOthersDoNotGiveWayTo) {
 // Strokes that are drawn in the shade alone stay there when they have but half of its ink.
 TEST(StrokeKinds, BeginWhereTheInkOfAllTogetherIsEnough) {
   Style style = builtin_style("technical");
-  const auto alone = counted(draw(two_balls(), style));
+  const auto alone = counted(draw_kinds(two_balls(), style));
   set_style_key(style, "strokes.2.kind", "dots");
-  const auto count = counted(draw(two_balls(), style));
+  const auto count = counted(draw_kinds(two_balls(), style));
   EXPECT_NEAR(count.at("stroke-1").at(0), alone.at("stroke-1").at(0),
               0.3 * alone.at("stroke-1").at(0));
 }
 
 TEST(StrokeKinds, OfAPartOfGlassAreAllDrawn) {
   const auto count =
-      counted(draw(two_balls(), crossed(), {{.transparent = true}, {.transparent = false}}));
+      counted(draw_kinds(two_balls(), crossed(), {{.transparent = true}, {.transparent = false}}));
   EXPECT_GT(count.at("stroke-1").at(0), 10);
   EXPECT_GT(count.at("stroke-1-kind-2").at(0), 10);
 }

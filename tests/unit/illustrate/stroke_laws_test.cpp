@@ -21,7 +21,7 @@
 namespace burin {
 namespace {
 
-Scene ball() {
+Scene law_ball() {
   Scene scene;
   scene.parts.push_back(
       {"ball", "ball", std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48))});
@@ -29,7 +29,7 @@ Scene ball() {
 }
 
 // Even ink by strokes along z.
-Style style_of(const char* placing) {
+Style placed_style(const char* placing) {
   Style style = builtin_style("engraving");
   style.hatch.placing = placing;
   style.hatch.cross_from = 2;
@@ -42,8 +42,8 @@ Style style_of(const char* placing) {
   return style;
 }
 
-Drawing draw(const Scene& scene, const Style& style, const char* view = "front",
-             std::uint64_t seed = 1) {
+Drawing draw_laws(const Scene& scene, const Style& style, const char* view = "front",
+                  std::uint64_t seed = 1) {
   RunContext context;
   const NamedView v = named_view(view);
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
@@ -51,7 +51,7 @@ Drawing draw(const Scene& scene, const Style& style, const char* view = "front",
   return illustrate(scene, camera, style, {.seed = seed}, context);
 }
 
-std::vector<Path> strokes_of(const Drawing& drawing) {
+std::vector<Path> law_strokes(const Drawing& drawing) {
   std::vector<Path> strokes;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
@@ -72,13 +72,13 @@ double length_of(const Path& path) {
 TEST(StrokeLaws, AMaskKeepsStrokesWhereItIsPositive) {
   for (const char* placing : {"even", "points", "discs", "dots"}) {
     SCOPED_TRACE(placing);
-    Style style = style_of(placing);
-    const std::size_t whole = strokes_of(draw(ball(), style)).size();
+    Style style = placed_style(placing);
+    const std::size_t whole = law_strokes(draw_laws(law_ball(), style)).size();
     for (const char* key : {"hatch.density_law", "hatch.ink_law"}) {
       Style masked = style;
       set_style_key(masked, key, key[6] == 'd' ? "step(x - 2)" : "ink * step(x - 2)");
-      const Drawing drawing = draw(ball(), masked);
-      const auto strokes = strokes_of(drawing);
+      const Drawing drawing = draw_laws(law_ball(), masked);
+      const auto strokes = law_strokes(drawing);
       EXPECT_GT(strokes.size(), whole / 5);
       EXPECT_LT(strokes.size(), whole / 2);
       for (const Path& path : strokes) {
@@ -90,9 +90,9 @@ TEST(StrokeLaws, AMaskKeepsStrokesWhereItIsPositive) {
 }
 
 // Mean ink in the middle of the ball.
-double ink_of(const Drawing& drawing) {
+double length_of_ink(const Drawing& drawing) {
   test::Sheet sheet(90, 90, 0.05);
-  for (const Path& path : strokes_of(drawing)) sheet.paint(path);
+  for (const Path& path : law_strokes(drawing)) sheet.paint(path);
   const std::vector<float> shares = sheet.shares(20);  // 1 mm
   const int nx = sheet.nx() / 20;
   double sum = 0;
@@ -105,15 +105,16 @@ double ink_of(const Drawing& drawing) {
 
 TEST(StrokeLaws, TheInkIsWhatItsLawSays) {
   for (const char* placing : {"even", "discs", "dots"}) {
-    Style style = style_of(placing);
+    Style style = placed_style(placing);
     if (placing == std::string("dots")) style.hatch.spacing_min = 0.3;
     for (const double ink : {0.2, 0.45}) {
       SCOPED_TRACE(placing + std::to_string(ink));
       Style lawful = style, plain = style;
       set_style_key(lawful, "hatch.ink_law", std::to_string(ink));
       plain.tone.ambient = 1 - ink;
-      const double have = ink_of(draw(ball(), lawful));
-      EXPECT_NEAR(have, ink_of(draw(ball(), plain)), 0.01);  // as where the light asks for it
+      const double have = length_of_ink(draw_laws(law_ball(), lawful));
+      EXPECT_NEAR(have, length_of_ink(draw_laws(law_ball(), plain)),
+                  0.01);  // as where the light asks for it
       EXPECT_NEAR(have, ink, placing == std::string("discs") ? 0.03 : 0.06);
     }
   }
@@ -134,47 +135,47 @@ TEST(StrokeLaws, OnDiscsStrokesOfAnyLengthLayTheInkThatIsAskedFor) {
   for (const double length : {2.0, 6.0}) {
     for (const double ink : {0.2, 0.45, 0.7}) {
       SCOPED_TRACE(std::to_string(length) + " " + std::to_string(ink));
-      Style style = style_of("discs");
+      Style style = placed_style("discs");
       style.hatch.length = length;
       style.hatch.length_min = 0;
       style.hatch.taper = 0.4;
       style.tone.ambient = 1 - ink;
-      EXPECT_NEAR(ink_of(draw(scene, style)), ink, 0.02);
+      EXPECT_NEAR(length_of_ink(draw_laws(scene, style)), ink, 0.02);
     }
   }
 }
 
 TEST(StrokeLaws, DensitySetsStrokesCloserAndLeavesTheTone) {
-  Style style = style_of("even");
-  const Drawing plain = draw(ball(), style);
+  Style style = placed_style("even");
+  const Drawing plain = draw_laws(law_ball(), style);
   style.hatch.density_law = "1.6";
-  const Drawing close = draw(ball(), style);
+  const Drawing close = draw_laws(law_ball(), style);
   const auto lines = [](const Drawing& d) {
     double length = 0;
-    for (const Path& path : strokes_of(d)) length += length_of(path);
+    for (const Path& path : law_strokes(d)) length += length_of(path);
     return length;
   };
   EXPECT_NEAR(lines(close) / lines(plain), 1.6, 0.15);
-  EXPECT_NEAR(ink_of(close), ink_of(plain), 0.04);
+  EXPECT_NEAR(length_of_ink(close), length_of_ink(plain), 0.04);
 }
 
 TEST(StrokeLaws, WidthsAreMultiplied) {
   for (const char* placing : {"even", "points", "dots"}) {
     SCOPED_TRACE(placing);
-    Style style = style_of(placing);
-    const auto plain = strokes_of(draw(ball(), style));
+    Style style = placed_style(placing);
+    const auto plain = law_strokes(draw_laws(law_ball(), style));
     style.hatch.width_law = "0.5";
-    const auto half = strokes_of(draw(ball(), style));
+    const auto half = law_strokes(draw_laws(law_ball(), style));
     ASSERT_EQ(half.size(), plain.size());
     for (std::size_t i = 0; i < half.size(); ++i) {
       EXPECT_NEAR(half[i].width.front(), 0.5 * plain[i].width.front(), 0.006);
     }
   }
   // Along the stroke: it grows from nothing to all.
-  Style style = style_of("points");
+  Style style = placed_style("points");
   style.hatch.width_law = "t";
   int grown = 0;
-  for (const Path& path : strokes_of(draw(ball(), style))) {
+  for (const Path& path : law_strokes(draw_laws(law_ball(), style))) {
     if (path.width.size() < 2 || length_of(path) < 2.5) continue;
     grown += path.width.front() < 0.02 && path.width.back() > 0.05;
   }
@@ -183,7 +184,7 @@ TEST(StrokeLaws, WidthsAreMultiplied) {
 
 // Elber's figure 5: the less of the direction lies in the surface, the shorter the stroke.
 TEST(StrokeLaws, LengthsFollowTheAngleBetweenDirectionAndNormal) {
-  Style style = style_of("points");
+  Style style = placed_style("points");
   style.hatch.length = 3;
   style.hatch.length_law = "lean";
   style.hatch.length_min = 0;
@@ -191,7 +192,7 @@ TEST(StrokeLaws, LengthsFollowTheAngleBetweenDirectionAndNormal) {
   double sum[2] = {0, 0};
   int count[2] = {0, 0};
   // From above: the direction z stands on the middle of the picture.
-  for (const Path& path : strokes_of(draw(ball(), style, "top"))) {
+  for (const Path& path : law_strokes(draw_laws(law_ball(), style, "top"))) {
     const Vec3 p = path.points3[path.points3.size() / 2];
     const double lean = std::hypot(p.x, p.y) / 10;
     if (lean > 0.9) continue;  // cut at the outline
@@ -210,25 +211,25 @@ TEST(StrokeLaws, LengthsFollowTheAngleBetweenDirectionAndNormal) {
 TEST(StrokeLaws, PresenceIsAChanceThatFollowsTheSeed) {
   for (const char* placing : {"even", "points", "dots"}) {
     SCOPED_TRACE(placing);
-    Style style = style_of(placing);
-    const auto all = static_cast<double>(strokes_of(draw(ball(), style)).size());
+    Style style = placed_style(placing);
+    const auto all = static_cast<double>(law_strokes(draw_laws(law_ball(), style)).size());
     style.hatch.presence_law = "0.3";
-    const auto some = strokes_of(draw(ball(), style));
+    const auto some = law_strokes(draw_laws(law_ball(), style));
     // Four standard deviations.
     EXPECT_NEAR(static_cast<double>(some.size()), 0.3 * all, 4 * std::sqrt(0.21 * all));
-    const auto again = strokes_of(draw(ball(), style));
+    const auto again = law_strokes(draw_laws(law_ball(), style));
     ASSERT_EQ(some.size(), again.size());
     EXPECT_EQ(some.front().points3, again.front().points3);
     style.hatch.presence_law = "0";
-    EXPECT_TRUE(strokes_of(draw(ball(), style)).empty());
+    EXPECT_TRUE(law_strokes(draw_laws(law_ball(), style)).empty());
   }
 }
 
 TEST(StrokeLaws, ARandomWidthIsUniformAndOneAStroke) {
-  Style style = style_of("points");
-  const auto plain = strokes_of(draw(ball(), style));
+  Style style = placed_style("points");
+  const auto plain = law_strokes(draw_laws(law_ball(), style));
   style.hatch.width_law = "random";
-  const auto random = strokes_of(draw(ball(), style));
+  const auto random = law_strokes(draw_laws(law_ball(), style));
   ASSERT_EQ(plain.size(), random.size());
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -246,10 +247,10 @@ TEST(StrokeLaws, KnowUAndVOfPatches) {
   scene.parts.push_back({"horn", "horn",
                          std::make_shared<ParametricForm>(std::vector<std::shared_ptr<const Chart>>{
                              make_nurbs_chart(test::horn_nurbs())})});
-  Style style = style_of("points");
+  Style style = placed_style("points");
   style.hatch.density_law = "0.5 - v";
-  const Drawing drawing = draw(scene, style, "iso");
-  const auto strokes = strokes_of(drawing);
+  const Drawing drawing = draw_laws(scene, style, "iso");
+  const auto strokes = law_strokes(drawing);
   ASSERT_GT(strokes.size(), 50u);
   for (const Path& path : strokes) {
     for (const Vec3& p : path.points3) {
@@ -270,25 +271,25 @@ TEST(StrokeLaws, KnowUAndVOfPatches) {
 }
 
 TEST(StrokeLaws, APartWithoutUAndVSaysSo) {
-  Style style = style_of("even");
-  const auto plain = strokes_of(draw(ball(), style));
+  Style style = placed_style("even");
+  const auto plain = law_strokes(draw_laws(law_ball(), style));
   style.hatch.width_law = "u";
-  const Drawing drawing = draw(ball(), style);
+  const Drawing drawing = draw_laws(law_ball(), style);
   int reported = 0;
   for (const auto& entry : drawing.diagnostics.entries()) {
     reported +=
         entry.code == "strokes.no_parameters" && entry.message.find("'ball'") != std::string::npos;
   }
   EXPECT_EQ(reported, 1);
-  EXPECT_EQ(strokes_of(drawing).size(), plain.size());
+  EXPECT_EQ(law_strokes(drawing).size(), plain.size());
 }
 
 TEST(StrokeLaws, ThatAreNoneAreRefusedByTheirKeyInOneLine) {
   const auto refused = [](const char* key, const std::string& law) {
-    Style style = style_of("points");
+    Style style = placed_style("points");
     try {
       set_style_key(style, key, law);
-      draw(ball(), style);
+      draw_laws(law_ball(), style);
     } catch (const UsageError& e) {
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
       return std::string(e.what());
@@ -323,7 +324,7 @@ TEST(StrokeLaws, KnowAPictureByItsLightness) {
   const NamedView v = named_view("front");
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                                     {.direction = v.direction, .up = v.up, .paper = {90, 90}});
-  Style style = style_of("discs");
+  Style style = placed_style("discs");
   style.hatch.length = 1;
   style.hatch.length_min = 0;
   style.hatch.image = "halves";
@@ -336,7 +337,7 @@ TEST(StrokeLaws, KnowAPictureByItsLightness) {
     EXPECT_EQ(std::string(e.what()), "style key 'hatch.image': no picture 'halves' was read");
   }
   options.images["halves"] = std::make_shared<const Image>(Image{100, 1, pixels});
-  const auto strokes = strokes_of(illustrate(scene, camera, style, options, context));
+  const auto strokes = law_strokes(illustrate(scene, camera, style, options, context));
   ASSERT_GT(strokes.size(), 100U);
   for (const Path& path : strokes) {
     // Over half a pixel it fades, at the right border too, where it begins anew.

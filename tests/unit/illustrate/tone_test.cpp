@@ -30,7 +30,7 @@ constexpr double kPitch = 0.05;  // paper mm of the fine grid
 constexpr int kCoarse = 10;      // fine cells a coarse one: 0.5 mm
 constexpr int kBlur = 2;         // coarse cells: a disc of 2 mm across
 
-Camera camera_for(const Scene& scene, const char* view) {
+Camera camera_of_view(const Scene& scene, const char* view) {
   const NamedView v = named_view(view);
   return Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                      {.direction = v.direction, .up = v.up, .paper = {120, 90}});
@@ -68,7 +68,7 @@ std::vector<float> target_tone(const Scene& scene, const Camera& camera, const S
 }
 
 ToneReport measure(const Scene& scene, const char* view, const Style& style) {
-  const Camera camera = camera_for(scene, view);
+  const Camera camera = camera_of_view(scene, view);
   RunContext context;
   const Drawing drawing = illustrate(scene, camera, style, {}, context);
   test::Sheet strokes(120, 90, kPitch), features(120, 90, kPitch);
@@ -102,7 +102,7 @@ ToneReport measure(const Scene& scene, const char* view, const Style& style) {
   return report;
 }
 
-Scene scene_of(TriMesh mesh) {
+Scene scene_of_mesh(TriMesh mesh) {
   Scene scene;
   scene.parts.push_back({"part", "part.stl", std::make_shared<MeshForm>(std::move(mesh))});
   return scene;
@@ -125,39 +125,39 @@ void expect_tone(const Scene& scene, const char* view, const char* placing = "ev
 }
 
 TEST(Tone, InkOnATorusIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso");
+  expect_tone(scene_of_mesh(test::torus(30, 12, 160, 80)), "iso");
 }
 
 TEST(Tone, InkOnASphereIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front");
+  expect_tone(scene_of_mesh(test::ellipsoid({20, 20, 20}, 160, 80)), "front");
 }
 
 TEST(Tone, InkOnACylinderIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::cylinder(20, 50, 96)), "iso");
+  expect_tone(scene_of_mesh(test::cylinder(20, 50, 96)), "iso");
 }
 
 // Chance is uneven over the 2 mm of the eye: that is its look.
 TEST(Tone, InkOfStrokesOnPointsOfATorusIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso", "points", 0.07);
+  expect_tone(scene_of_mesh(test::torus(30, 12, 160, 80)), "iso", "points", 0.07);
 }
 
 TEST(Tone, InkOfStrokesOnPointsOfASphereIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "points", 0.07);
+  expect_tone(scene_of_mesh(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "points", 0.07);
 }
 
 TEST(Tone, InkOfStrokesOnDiscsOfATorusIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso", "discs");
+  expect_tone(scene_of_mesh(test::torus(30, 12, 160, 80)), "iso", "discs");
 }
 
 TEST(Tone, InkOfStrokesOnDiscsOfASphereIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "discs");
+  expect_tone(scene_of_mesh(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "discs");
 }
 
 TEST(Tone, AnEngravingHasAsMuchInkOnALightPartAsOnADarkOne) {
   const Style style = builtin_style("engraving");
   for (const char* view : {"front", "iso", "0,-1,-1", "-1,1,0.2"}) {
-    const Scene scene = scene_of(test::torus(30, 12, 160, 80));
-    const Camera camera = camera_for(scene, view);
+    const Scene scene = scene_of_mesh(test::torus(30, 12, 160, 80));
+    const Camera camera = camera_of_view(scene, view);
     RunContext context;
     const double gamma = *illustrate(scene, camera, style, {}, context).stats.tone_gamma;
     std::vector<float> asked = target_tone(scene, camera, style, gamma, 240, 180);
@@ -168,14 +168,15 @@ TEST(Tone, AnEngravingHasAsMuchInkOnALightPartAsOnADarkOne) {
     EXPECT_LE(*middle, 0.40 + 0.01) << view;
   }
   RunContext context;
-  const Scene scene = scene_of(test::torus(30, 12, 40, 20));
-  EXPECT_FALSE(illustrate(scene, camera_for(scene, "iso"), builtin_style("technical"), {}, context)
-                   .stats.tone_gamma);
+  const Scene scene = scene_of_mesh(test::torus(30, 12, 40, 20));
+  EXPECT_FALSE(
+      illustrate(scene, camera_of_view(scene, "iso"), builtin_style("technical"), {}, context)
+          .stats.tone_gamma);
 }
 
 // Every built-in style that carries tone.
 TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
-  const Scene scene = scene_of(test::torus(30, 12, 160, 80));
+  const Scene scene = scene_of_mesh(test::torus(30, 12, 160, 80));
   for (const char* name :
        {"engraving", "pencil", "stipple", "woodcut", "plotter", "scratchboard"}) {
     const ToneReport report = measure(scene, "iso", builtin_style(name));
@@ -195,8 +196,8 @@ TEST(Tone, OfOnePenIsAnyThatIsAsked) {
     const std::size_t at = word.find('=');
     set_style_key(style, "tone." + word.substr(0, at), word.substr(at + 1));
   }
-  const Scene round = scene_of(test::cylinder(20, 50, 96));
-  const Scene torus = scene_of(test::torus(30, 12, 160, 80));
+  const Scene round = scene_of_mesh(test::cylinder(20, 50, 96));
+  const Scene torus = scene_of_mesh(test::torus(30, 12, 160, 80));
   for (const char* light : {"0.85", "0.75", "0.65", "0.58", "0.5", "0.42", "0.35"}) {
     set_style_key(style, "tone.ambient", light);
     for (const Scene* scene : {&round, &torus}) {
@@ -212,7 +213,7 @@ TEST(Tone, InkOfTwoKindsOfStrokesTogetherIsWhatTheLightAsks) {
   set_style_key(style, "strokes.2.kind", "dots");
   for (const char* share : {"0.5", "1"}) {
     set_style_key(style, "strokes.2.share", share);
-    const ToneReport report = measure(scene_of(test::torus(30, 12, 160, 80)), "iso", style);
+    const ToneReport report = measure(scene_of_mesh(test::torus(30, 12, 160, 80)), "iso", style);
     EXPECT_GT(report.cells, 2000u);
     EXPECT_LE(report.mean_error, 0.05) << share;
     ::testing::Test::RecordProperty(share, std::to_string(report.mean_error));
@@ -220,11 +221,11 @@ TEST(Tone, InkOfTwoKindsOfStrokesTogetherIsWhatTheLightAsks) {
 }
 
 TEST(Tone, InkOfDotsOnATorusIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso", "dots");
+  expect_tone(scene_of_mesh(test::torus(30, 12, 160, 80)), "iso", "dots");
 }
 
 TEST(Tone, InkOfDotsOnASphereIsWhatTheLightAsks) {
-  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "dots");
+  expect_tone(scene_of_mesh(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "dots");
 }
 
 }  // namespace

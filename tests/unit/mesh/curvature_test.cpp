@@ -31,7 +31,7 @@ struct Errors {
   std::vector<double> k1, k2, angle;
 };
 
-Errors errors(const Estimate& e, const test::ExactSurface& exact) {
+Errors curvature_errors(const Estimate& e, const test::ExactSurface& exact) {
   std::vector<test::ExactFrame> truth;
   double largest = 0;
   for (std::uint32_t w = 0; w < e.curvature.size(); ++w) {
@@ -77,8 +77,9 @@ TEST(IrregularMeshes, AreIrregular) {
 class CurvatureAt100k : public testing::TestWithParam<bool> {};
 
 TEST_P(CurvatureAt100k, IsWithinATenthPercentAndAFifthOfADegree) {
-  const Errors e = GetParam() ? errors(estimate(test::irregular_torus(10, 4, 1e5)), kTorus)
-                              : errors(estimate(test::irregular_ellipsoid(kHalf, 1e5)), kEllipsoid);
+  const Errors e =
+      GetParam() ? curvature_errors(estimate(test::irregular_torus(10, 4, 1e5)), kTorus)
+                 : curvature_errors(estimate(test::irregular_ellipsoid(kHalf, 1e5)), kEllipsoid);
   EXPECT_LE(test::quantile(e.k1, 0.5), 1e-3);
   EXPECT_LE(test::quantile(e.k1, 0.95), 1e-2);
   EXPECT_LE(test::quantile(e.k2, 0.5), 1e-3);
@@ -93,8 +94,9 @@ TEST(Curvature, AtTwoThousandTrianglesIsWithinFivePercentAndThreeDegrees) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     for (const bool torus : {true, false}) {
       const Errors e =
-          torus ? errors(estimate(test::irregular_torus(10, 4, 2000, seed)), kTorus)
-                : errors(estimate(test::irregular_ellipsoid(kHalf, 2000, seed)), kEllipsoid);
+          torus ? curvature_errors(estimate(test::irregular_torus(10, 4, 2000, seed)), kTorus)
+                : curvature_errors(estimate(test::irregular_ellipsoid(kHalf, 2000, seed)),
+                                   kEllipsoid);
       EXPECT_LE(test::quantile(e.k1, 0.95), 0.05) << torus << seed;
       EXPECT_LE(test::quantile(e.k2, 0.95), 0.05) << torus << seed;
       EXPECT_LE(test::quantile(e.angle, 0.95), 3) << torus << seed;
@@ -106,15 +108,19 @@ TEST(Curvature, OfNoisyMeshesKeepsItsDirections) {
   for (const double triangles : {2000.0, 20000.0, 100000.0}) {
     const TriMesh torus = test::noisy(test::irregular_torus(10, 4, triangles), 0.05);
     const TriMesh ellipsoid = test::noisy(test::irregular_ellipsoid(kHalf, triangles), 0.05);
-    EXPECT_LE(test::quantile(errors(estimate(torus), kTorus).angle, 0.95), 15) << triangles;
-    EXPECT_LE(test::quantile(errors(estimate(ellipsoid), kEllipsoid).angle, 0.95), 15) << triangles;
+    EXPECT_LE(test::quantile(curvature_errors(estimate(torus), kTorus).angle, 0.95), 15)
+        << triangles;
+    EXPECT_LE(test::quantile(curvature_errors(estimate(ellipsoid), kEllipsoid).angle, 0.95), 15)
+        << triangles;
   }
 }
 
 TEST(Curvature, WithoutSmoothingDrownsInNoise) {
   const TriMesh torus = test::noisy(test::irregular_torus(10, 4, 1e5), 0.05);
-  EXPECT_GT(test::quantile(errors(estimate(torus, {.smoothing = 0}), kTorus).angle, 0.95), 30);
-  EXPECT_LT(test::quantile(errors(estimate(torus, {.smoothing = 8}), kTorus).angle, 0.95), 15);
+  EXPECT_GT(test::quantile(curvature_errors(estimate(torus, {.smoothing = 0}), kTorus).angle, 0.95),
+            30);
+  EXPECT_LT(test::quantile(curvature_errors(estimate(torus, {.smoothing = 8}), kTorus).angle, 0.95),
+            15);
 }
 
 TEST(Curvature, OfASphereIsPositiveAndHasNoDirection) {

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-ProxyMesh proxy_of(TriMesh mesh, double crease_angle = 30) {
+ProxyMesh creased_proxy(TriMesh mesh, double crease_angle = 30) {
   const RunContext context;
   return build_proxy(std::move(mesh), {.crease_angle = crease_angle}, context);
 }
@@ -59,7 +59,7 @@ TriMesh l_prism() {
 }
 
 TEST(ProxyMesh, BoxHasTwelveConvexCreasesSixRegionsAndTwentyFourWedges) {
-  const ProxyMesh proxy = proxy_of(test::box({0, 0, 0}, {1, 2, 3}));
+  const ProxyMesh proxy = creased_proxy(test::box({0, 0, 0}, {1, 2, 3}));
   expect_opposites_agree(proxy);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 12);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 0);
@@ -79,18 +79,18 @@ TEST(ProxyMesh, BoxHasTwelveConvexCreasesSixRegionsAndTwentyFourWedges) {
 TEST(ProxyMesh, InsideOutBoxHasConcaveCreases) {
   TriMesh m = test::box({0, 0, 0}, {1, 2, 3});
   for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
-  EXPECT_EQ(count_edges(proxy_of(m), EdgeKind::ConcaveCrease), 12);
+  EXPECT_EQ(count_edges(creased_proxy(m), EdgeKind::ConcaveCrease), 12);
 }
 
 TEST(ProxyMesh, LPrismHasOneConcaveCrease) {
-  const ProxyMesh proxy = proxy_of(l_prism());
+  const ProxyMesh proxy = creased_proxy(l_prism());
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 17);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 1);
   EXPECT_EQ(proxy.region_count, 8);
 }
 
 TEST(ProxyMesh, CylinderHasTwoCreaseCirclesAndThreeRegions) {
-  const ProxyMesh proxy = proxy_of(test::cylinder(5, 20, 64));
+  const ProxyMesh proxy = creased_proxy(test::cylinder(5, 20, 64));
   expect_opposites_agree(proxy);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 128);
   EXPECT_EQ(proxy.region_count, 3);
@@ -108,7 +108,7 @@ TEST(ProxyMesh, CylinderHasTwoCreaseCirclesAndThreeRegions) {
 TEST(ProxyMesh, OpenMeshHasBoundaries) {
   const auto sheet = test::grid(5, 4, false, false,
                                 [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
-  const ProxyMesh proxy = proxy_of(test::joined(sheet, test::box({10, 0, 0}, {11, 1, 1})));
+  const ProxyMesh proxy = creased_proxy(test::joined(sheet, test::box({10, 0, 0}, {11, 1, 1})));
   EXPECT_EQ(count_edges(proxy, EdgeKind::Boundary), 2 * (4 + 3));
   EXPECT_EQ(proxy.topology.component_closed, (std::vector<std::uint8_t>{0, 1}));
   EXPECT_FALSE(proxy.closed(0));
@@ -117,7 +117,7 @@ TEST(ProxyMesh, OpenMeshHasBoundaries) {
 }
 
 TEST(ProxyMesh, TorusIsOneRegionWhoseWedgesAreItsVertices) {
-  const ProxyMesh proxy = proxy_of(test::torus(10, 3, 60, 40));
+  const ProxyMesh proxy = creased_proxy(test::torus(10, 3, 60, 40));
   EXPECT_EQ(proxy.region_count, 1);
   EXPECT_EQ(proxy.wedges, proxy.mesh.triangles);
   for (std::size_t w = 0; w < proxy.wedge_vertex.size(); ++w) {
@@ -128,7 +128,7 @@ TEST(ProxyMesh, TorusIsOneRegionWhoseWedgesAreItsVertices) {
 }
 
 TEST(ProxyMesh, InterpolatesPositionAndNormal) {
-  const ProxyMesh proxy = proxy_of(test::torus(10, 3, 60, 40));
+  const ProxyMesh proxy = creased_proxy(test::torus(10, 3, 60, 40));
   const Vec3 third(1.0 / 3);
   EXPECT_NEAR(glm::length(proxy.normal(7, third)), 1, 1e-15);
   EXPECT_GT(glm::dot(proxy.normal(7, third), proxy.mesh.normal(7)), 0.999);
@@ -143,7 +143,7 @@ TEST(ProxyMesh, SliverTakesTheNormalOfItsNeighbour) {
   TriMesh m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1e-7}};
   m.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}};
-  const ProxyMesh proxy = proxy_of(m);
+  const ProxyMesh proxy = creased_proxy(m);
   EXPECT_EQ(proxy.region_count, 1);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 0);
 }
@@ -152,13 +152,13 @@ TEST(ProxyMesh, AFoldBetweenTwoTrianglesIsACrease) {
   TriMesh m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 1}};
   m.triangles = {{0, 1, 2}, {1, 0, 3}};
-  EXPECT_EQ(count_edges(proxy_of(m), EdgeKind::ConcaveCrease), 1);
+  EXPECT_EQ(count_edges(creased_proxy(m), EdgeKind::ConcaveCrease), 1);
 }
 
 TEST(ProxyMesh, SharpEdgesOfNoiseAreNoCreases) {
   for (const double noise : {0.05, 0.08}) {
     const TriMesh m = test::noisy(test::irregular_torus(10, 4, 20000), noise);
-    const ProxyMesh proxy = proxy_of(m);
+    const ProxyMesh proxy = creased_proxy(m);
     std::int64_t sharp = 0;
     for (std::size_t h = 0; h < proxy.topology.opposite.size(); ++h) {
       const auto a = static_cast<std::uint32_t>(h / 3), b = face_of(proxy.topology.opposite[h]);
@@ -185,7 +185,7 @@ TEST(ProxyMesh, SmallPitsOfAPlateAreCreases) {
   for (const auto& [p, q] : {std::pair(a, b), {b, c}, {c, d}, {d, a}}) {
     m.triangles.push_back({p, q, apex});
   }
-  const ProxyMesh proxy = proxy_of(m);
+  const ProxyMesh proxy = creased_proxy(m);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 4);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 4);
 }
@@ -212,7 +212,7 @@ TriMesh prism(const std::vector<Vec2>& outline) {
 
 /// The upright creases among `count` upright edges, counted from the outline's first point.
 std::vector<bool> upright_creases(const std::vector<Vec2>& outline) {
-  const ProxyMesh proxy = proxy_of(prism(outline));
+  const ProxyMesh proxy = creased_proxy(prism(outline));
   std::vector<bool> sharp(outline.size(), false);
   for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
     const std::uint32_t a = origin(proxy.mesh, static_cast<HalfEdge>(h));
@@ -293,7 +293,7 @@ TEST(Topology, AcceptsFansThatMeetAtAVertex) {
   TriMesh m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   m.triangles = {{0, 1, 2}, {0, 3, 4}};
-  const ProxyMesh proxy = proxy_of(m);
+  const ProxyMesh proxy = creased_proxy(m);
   EXPECT_EQ(proxy.wedge_vertex.size(), 6u);
   EXPECT_EQ(proxy.region_count, 2);
 }

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-ProxyMesh proxy_of(TriMesh mesh) {
+ProxyMesh tip_proxy(TriMesh mesh) {
   const RunContext context;
   return build_proxy(std::move(mesh), {}, context);
 }
@@ -22,7 +22,7 @@ std::size_t count(const std::vector<std::uint8_t>& flags) {
 
 TEST(Tips, EachFaceOfAFanHasItsOwnNormalAtTheCornerOfAHull) {
   for (const std::uint32_t sides : {16u, 32u, 64u}) {
-    const ProxyMesh proxy = proxy_of(test::hull({.sides = sides}));
+    const ProxyMesh proxy = tip_proxy(test::hull({.sides = sides}));
     for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (proxy.wedge_vertex[proxy.wedges[f][k]] >= 8) continue;
@@ -38,7 +38,7 @@ TEST(Tips, EachFaceOfAFanHasItsOwnNormalAtTheCornerOfAHull) {
 // By 22.8 degrees on two sides, where the slope is a single triangle.
 TEST(Tips, TheEdgeBetweenAWallAndTheFansAboveItIsACrease) {
   for (const std::uint32_t sides : {12u, 16u, 32u, 64u}) {
-    const ProxyMesh proxy = proxy_of(test::hull({.sides = sides}));
+    const ProxyMesh proxy = tip_proxy(test::hull({.sides = sides}));
     std::size_t creases = 0;
     for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
       const auto h = static_cast<HalfEdge>(i);
@@ -54,7 +54,7 @@ TEST(Tips, TheEdgeBetweenAWallAndTheFansAboveItIsACrease) {
 // By 24 to 45 degrees, less than the crease angle on both narrow sides.
 TEST(Tips, TheRimOfADiscThatAHullSlopesFromIsACrease) {
   for (const std::uint32_t sides : {12u, 16u, 24u, 32u, 64u}) {
-    const ProxyMesh proxy = proxy_of(test::hull({.height = 4, .top = 12, .sides = sides}));
+    const ProxyMesh proxy = tip_proxy(test::hull({.height = 4, .top = 12, .sides = sides}));
     std::size_t creases = 0;
     for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
       const auto h = static_cast<HalfEdge>(i);
@@ -68,12 +68,12 @@ TEST(Tips, TheRimOfADiscThatAHullSlopesFromIsACrease) {
 }
 
 TEST(Tips, TheCornerOfACoarseHullIsOne) {
-  const ProxyMesh proxy = proxy_of(test::hull({.height = 4, .top = 12, .sides = 12}));
+  const ProxyMesh proxy = tip_proxy(test::hull({.height = 4, .top = 12, .sides = 12}));
   EXPECT_EQ(count(wedges_at_tips(proxy)), 12u + 8);
 }
 
 TEST(Tips, WherePartOfAFlatFaceTouchesTheDiscIsTheNormalOfThatFace) {
-  const ProxyMesh proxy = proxy_of(test::hull({}));
+  const ProxyMesh proxy = tip_proxy(test::hull({}));
   for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
     const auto k = corner_beside_tips(wedges_at_tips(proxy), proxy.wedges[f]);
     if (!k) continue;
@@ -92,11 +92,11 @@ TEST(Tips, AConeHasOneAndABallHasNone) {
         cone.triangles.push_back({0, 2 + i, 2 + (i + 1) % sides});
         cone.triangles.push_back({1, 2 + (i + 1) % sides, 2 + i});
       }
-      EXPECT_EQ(count(wedges_at_tips(proxy_of(cone))), sides) << sides << ' ' << height;
+      EXPECT_EQ(count(wedges_at_tips(tip_proxy(cone))), sides) << sides << ' ' << height;
     }
-    EXPECT_TRUE(wedges_at_tips(proxy_of(test::ellipsoid({10, 10, 10}, sides, sides / 2))).empty());
-    EXPECT_TRUE(wedges_at_tips(proxy_of(test::torus(10, 4, sides, sides))).empty());
-    EXPECT_TRUE(wedges_at_tips(proxy_of(test::cylinder(5, 20, sides))).empty());
+    EXPECT_TRUE(wedges_at_tips(tip_proxy(test::ellipsoid({10, 10, 10}, sides, sides / 2))).empty());
+    EXPECT_TRUE(wedges_at_tips(tip_proxy(test::torus(10, 4, sides, sides))).empty());
+    EXPECT_TRUE(wedges_at_tips(tip_proxy(test::cylinder(5, 20, sides))).empty());
   }
 }
 

@@ -7,15 +7,15 @@
 namespace burin {
 namespace {
 
-struct Repaired {
+struct Separated {
   TriMesh mesh;
   Diagnostics diagnostics;
   test::MeshNumbers numbers;
   std::int64_t count(const char* code) const { return test::count_of(diagnostics, code); }
 };
 
-Repaired mend(const TriMesh& m) {
-  Repaired r;
+Separated separate(const TriMesh& m) {
+  Separated r;
   const RunContext context;
   r.mesh = repair(test::unshared(m), {}, r.diagnostics, context);
   r.numbers = test::numbers(r.mesh);  // throws unless it is manifold
@@ -23,8 +23,8 @@ Repaired mend(const TriMesh& m) {
 }
 
 TEST(NonManifold, SolidsThatTouchAtAVertexComeApart) {
-  const Repaired r =
-      mend(test::joined(test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 1, 1}, {2, 2, 2})));
+  const Separated r =
+      separate(test::joined(test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 1, 1}, {2, 2, 2})));
   EXPECT_EQ(r.count("mesh.nonmanifold_vertices"), 1);
   EXPECT_EQ(r.numbers.components, 2);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
@@ -36,7 +36,7 @@ TEST(NonManifold, SolidsThatTouchAtAnEdgeComeApartClosed) {
     for (const double away : {0.0, 1e5}) {
       TriMesh m = test::joined(test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 1, 0}, {2, 2, 1}));
       m = test::mapped(m, [&](Vec3 p) { return scale * p + Vec3(away); });
-      const Repaired r = mend(m);
+      const Separated r = separate(m);
       EXPECT_EQ(r.count("mesh.nonmanifold_edges"), 1);
       EXPECT_EQ(r.numbers.components, 2);
       EXPECT_EQ(r.numbers.boundary_edges, 0);
@@ -47,7 +47,7 @@ TEST(NonManifold, SolidsThatTouchAtAnEdgeComeApartClosed) {
 
 TEST(NonManifold, SolidsThatShareAWallStayClosed) {
   const TriMesh a = test::box({0, 0, 0}, {1, 1, 1}), b = test::box({1, 0, 0}, {2, 1, 1});
-  const Repaired r = mend(test::joined(a, b));
+  const Separated r = separate(test::joined(a, b));
   EXPECT_EQ(r.numbers.boundary_edges, 0);
   EXPECT_EQ(r.numbers.components, 2);
   EXPECT_NEAR(r.numbers.volume, 2, 1e-12);
@@ -62,7 +62,7 @@ TEST(NonManifold, FinOnAPlateEndsThereAndThePlateGoesOn) {
   m.positions.push_back({2, 1, 1});
   m.triangles.push_back({6, 7, n});
   m.triangles.push_back({7, n + 1, n});
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.count("mesh.nonmanifold_edges"), 1);
   EXPECT_EQ(r.numbers.components, 2);
   EXPECT_EQ(r.numbers.boundary_edges, 12 + 4);
@@ -73,7 +73,7 @@ TEST(NonManifold, ThreeBoxesAroundAnEdge) {
   TriMesh m = test::box({0, 0, 0}, {1, 1, 1});
   m = test::joined(m, test::box({-1, 0, 0}, {0, 1, 1}));
   m = test::joined(m, test::box({-1, -1, 0}, {0, 0, 1}));
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
   EXPECT_NEAR(r.numbers.volume, 3, 1e-12);
 }
@@ -85,7 +85,7 @@ TEST(NonManifold, EdgeThatASurfaceComesByTwiceIsToldApart) {
   m = test::joined(m, test::box({3, 1, 0}, {4, 2, 1}));
   m = test::joined(m, test::box({4, 0, 0}, {5, 1, 1}));
   m = test::joined(m, test::box({2.5, -2, 0}, {5.5, 0, 1}));
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
   EXPECT_NEAR(r.numbers.volume, 3 + 1 + 1 + 6, 1e-12);
 }
@@ -99,7 +99,7 @@ TEST(NonManifold, TriangleWithoutAreaLeavesNoHole) {
   m.triangles.push_back({4, middle, 7});
   m.triangles.push_back({middle, 5, 7});
   m.triangles.push_back({4, 5, middle});
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.count("mesh.zero_area_faces"), 1);
   EXPECT_EQ(r.count("mesh.holes"), 0);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
@@ -123,7 +123,7 @@ TEST(NonManifold, ChainOfTrianglesWithoutArea) {
   }
   m.triangles.push_back({last, 5, 7});
   m.triangles.push_back({4, 5, last});
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.count("mesh.zero_area_faces"), kCuts);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
   EXPECT_NEAR(r.numbers.volume, 8, 1e-12);
@@ -141,7 +141,7 @@ TEST(NonManifold, VerticesCloserThanRoundingAreOne) {
   std::erase(m.triangles, Triangle{2, 6, 7});
   m.triangles.push_back({2, 6, n});
   m.triangles.push_back({2, n, 7});
-  const Repaired r = mend(m);
+  const Separated r = separate(m);
   EXPECT_EQ(r.mesh.triangles.size(), 12u);
   EXPECT_EQ(r.numbers.boundary_edges, 0);
   EXPECT_EQ(r.numbers.euler, 2);

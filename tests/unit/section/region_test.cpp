@@ -13,19 +13,21 @@
 namespace burin {
 namespace {
 
-std::shared_ptr<const Form> mesh(TriMesh m) { return std::make_shared<MeshForm>(std::move(m)); }
+std::shared_ptr<const Form> region_mesh(TriMesh m) {
+  return std::make_shared<MeshForm>(std::move(m));
+}
 
-std::shared_ptr<const Surface> realised(const std::shared_ptr<const Form>& form,
-                                        Diagnostics* diagnostics = nullptr) {
+std::shared_ptr<const Surface> realised_region(const std::shared_ptr<const Form>& form,
+                                               Diagnostics* diagnostics = nullptr) {
   RunContext context;
   return form->realise({.tolerance = 0.01, .diagnostics = diagnostics}, context);
 }
 
-bool closed(const ProxyMesh& proxy) {
+bool closed_region(const ProxyMesh& proxy) {
   return std::ranges::all_of(proxy.topology.component_closed, [](auto c) { return c != 0; });
 }
 
-double volume(const TriMesh& m) {
+double region_volume(const TriMesh& m) {
   double six = 0;
   for (const Triangle& t : m.triangles) {
     six += glm::dot(m.positions[t[0]], glm::cross(m.positions[t[1]], m.positions[t[2]]));
@@ -33,7 +35,7 @@ double volume(const TriMesh& m) {
   return six / 6;
 }
 
-double cut_area(const ProxyMesh& proxy, std::int32_t number) {
+double region_area(const ProxyMesh& proxy, std::int32_t number) {
   double area = 0;
   for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
     if (!proxy.is_cut(f)) continue;
@@ -66,18 +68,18 @@ double beyond(std::shared_ptr<const Form> form, const CutRegion& region) {
   for (const CutPlane& plane : region) {
     form = cut_form(form, {-plane.normal, -plane.offset}, 0, "");
   }
-  return volume(realised(form)->proxy().mesh);
+  return region_volume(realised_region(form)->proxy().mesh);
 }
 
 TEST(CutRegions, OfTwoPlanesTakeAQuarter) {
-  const auto box = mesh(test::box({0, 0, 0}, {2, 3, 4}));
+  const auto box = region_mesh(test::box({0, 0, 0}, {2, 3, 4}));
   const auto cut = cut_form(box, CutRegion{{{1, 0, 0}, 0.5}, {{0, 1, 0}, 1}}, 5, "box");
-  const auto proxy_surface = realised(cut);
+  const auto proxy_surface = realised_region(cut);
   const ProxyMesh& proxy = proxy_surface->proxy();
-  EXPECT_TRUE(closed(proxy));
-  EXPECT_NEAR(volume(proxy.mesh), 24 - 1.5 * 2 * 4, 1e-12);
-  EXPECT_NEAR(cut_area(proxy, 5), 2 * 4, 1e-12);
-  EXPECT_NEAR(cut_area(proxy, 6), 1.5 * 4, 1e-12);
+  EXPECT_TRUE(closed_region(proxy));
+  EXPECT_NEAR(region_volume(proxy.mesh), 24 - 1.5 * 2 * 4, 1e-12);
+  EXPECT_NEAR(region_area(proxy, 5), 2 * 4, 1e-12);
+  EXPECT_NEAR(region_area(proxy, 6), 1.5 * 4, 1e-12);
   // Nothing is there twice.
   EXPECT_NEAR(surface_area(proxy.mesh), 2 * (6 + 8 + 12) - 2 * 1.5 * 2, 1e-12);
   // What is left has the size of the whole.
@@ -85,54 +87,55 @@ TEST(CutRegions, OfTwoPlanesTakeAQuarter) {
 }
 
 TEST(CutRegions, OfABoxMakeAnOpening) {
-  const auto box = mesh(test::box({0, 0, 0}, {2, 3, 4}));
+  const auto box = region_mesh(test::box({0, 0, 0}, {2, 3, 4}));
   // From a face inwards, and over an edge.
   for (const Box3 hole : {Box3{{0.5, 1, 3}, {1.5, 2, 5}}, Box3{{1.5, 1, 3}, {2.5, 2, 5}}}) {
     const Box3 inner{hole.min, glm::min(hole.max, Vec3(2, 3, 4))};
-    const auto proxy_surface = realised(cut_form(box, inside(hole), 0, ""));
+    const auto proxy_surface = realised_region(cut_form(box, inside(hole), 0, ""));
     const ProxyMesh& proxy = proxy_surface->proxy();
-    EXPECT_TRUE(closed(proxy));
+    EXPECT_TRUE(closed_region(proxy));
     const Vec3 size = inner.max - inner.min;
-    EXPECT_NEAR(volume(proxy.mesh), 24 - size.x * size.y * size.z, 1e-12);
-    EXPECT_NEAR(cut_area(proxy, 4), size.x * size.y, 1e-12);  // its floor
+    EXPECT_NEAR(region_volume(proxy.mesh), 24 - size.x * size.y * size.z, 1e-12);
+    EXPECT_NEAR(region_area(proxy, 4), size.x * size.y, 1e-12);  // its floor
   }
   // Inside of it: a hollow.
-  const auto hollow_surface = realised(cut_form(box, inside({{0.5, 1, 1}, {1.5, 2, 3}}), 0, ""));
+  const auto hollow_surface =
+      realised_region(cut_form(box, inside({{0.5, 1, 1}, {1.5, 2, 3}}), 0, ""));
   const ProxyMesh& hollow = hollow_surface->proxy();
-  EXPECT_TRUE(closed(hollow));
-  EXPECT_NEAR(volume(hollow.mesh), 22, 1e-12);
+  EXPECT_TRUE(closed_region(hollow));
+  EXPECT_NEAR(region_volume(hollow.mesh), 22, 1e-12);
   EXPECT_NEAR(surface_area(hollow.mesh), 52 + 10, 1e-12);
 }
 
 TEST(CutRegions, ThatLieElsewhereTakeNothing) {
-  const auto box = mesh(test::box({0, 0, 0}, {2, 3, 4}));
-  const auto whole = realised(cut_form(box, inside({{3, 0, 0}, {4, 1, 1}}), 0, ""));
+  const auto box = region_mesh(test::box({0, 0, 0}, {2, 3, 4}));
+  const auto whole = realised_region(cut_form(box, inside({{3, 0, 0}, {4, 1, 1}}), 0, ""));
   EXPECT_EQ(whole->proxy().mesh.triangles.size(), 12U);
   EXPECT_TRUE(whole->proxy().cut_plane.empty());
-  EXPECT_TRUE(realised(cut_form(box, inside({{-1, -1, -1}, {5, 5, 5}}), 0, ""))
+  EXPECT_TRUE(realised_region(cut_form(box, inside({{-1, -1, -1}, {5, 5, 5}}), 0, ""))
                   ->proxy()
                   .mesh.triangles.empty());
   // In line with its faces on all sides, or on one.
-  EXPECT_TRUE(realised(cut_form(box, inside({{0, 0, 0}, {2, 3, 4}}), 0, ""))
+  EXPECT_TRUE(realised_region(cut_form(box, inside({{0, 0, 0}, {2, 3, 4}}), 0, ""))
                   ->proxy()
                   .mesh.triangles.empty());
-  const auto flush_surface = realised(cut_form(box, inside({{0, 0, 3}, {2, 2, 4}}), 0, ""));
+  const auto flush_surface = realised_region(cut_form(box, inside({{0, 0, 3}, {2, 2, 4}}), 0, ""));
   const ProxyMesh& flush = flush_surface->proxy();
-  EXPECT_TRUE(closed(flush));
-  EXPECT_NEAR(volume(flush.mesh), 20, 1e-12);
+  EXPECT_TRUE(closed_region(flush));
+  EXPECT_NEAR(region_volume(flush.mesh), 20, 1e-12);
 }
 
 TEST(CutRegions, OneAfterTheOtherMakeSteps) {
-  const auto box = mesh(test::box({0, 0, 0}, {4, 4, 1}));
+  const auto box = region_mesh(test::box({0, 0, 0}, {4, 4, 1}));
   auto cut = cut_form(box, CutRegion{{{-1, 0, 0}, -2}, {{0, -1, 0}, -1}}, 0, "");  // x < 2, y < 1
   cut = cut_form(cut, CutRegion{{{1, 0, 0}, 2}, {{0, -1, 0}, -3}}, 2, "");         // x > 2, y < 3
-  const auto proxy_surface = realised(cut);
+  const auto proxy_surface = realised_region(cut);
   const ProxyMesh& proxy = proxy_surface->proxy();
-  EXPECT_TRUE(closed(proxy));
-  EXPECT_NEAR(volume(proxy.mesh), 16 - 2 - 6, 1e-12);
-  EXPECT_NEAR(cut_area(proxy, 1), 2, 1e-12);
-  EXPECT_NEAR(cut_area(proxy, 3), 2, 1e-12);
-  EXPECT_NEAR(cut_area(proxy, 0) + cut_area(proxy, 2), 2, 1e-12);  // the riser
+  EXPECT_TRUE(closed_region(proxy));
+  EXPECT_NEAR(region_volume(proxy.mesh), 16 - 2 - 6, 1e-12);
+  EXPECT_NEAR(region_area(proxy, 1), 2, 1e-12);
+  EXPECT_NEAR(region_area(proxy, 3), 2, 1e-12);
+  EXPECT_NEAR(region_area(proxy, 0) + region_area(proxy, 2), 2, 1e-12);  // the riser
   EXPECT_NEAR(surface_area(proxy.mesh), 2 * 8 + 4 + 1 + 3 + 4 + 2, 1e-12);
 }
 
@@ -143,8 +146,8 @@ TEST(CutRegions, CloseWhereverTheirPlanesLie) {
                             test::irregular_ellipsoid({3, 2, 1}, 400), test::cylinder(2, 4, 12)};
   int cut_somewhere = 0;
   for (const TriMesh& coarse : meshes) {
-    const auto form = mesh(coarse);
-    const auto whole_surface = realised(form);
+    const auto form = region_mesh(coarse);
+    const auto whole_surface = realised_region(form);
     const TriMesh& m = whole_surface->proxy().mesh;
     const auto vertex = [&] { return m.positions[random() % m.positions.size()]; };
     for (int i = 0; i < 75; ++i) {
@@ -159,12 +162,12 @@ TEST(CutRegions, CloseWhereverTheirPlanesLie) {
         region.push_back({n, glm::dot(n, kind == 0 ? 0.5 * vertex() : vertex())});
       }
       Diagnostics said;
-      const auto left = realised(cut_form(form, region, 0, ""), &said);
+      const auto left = realised_region(cut_form(form, region, 0, ""), &said);
       for (const Diagnostic& d : said.entries()) EXPECT_NE(d.code, "section.open") << i;
       const ProxyMesh& proxy = left->proxy();
-      EXPECT_TRUE(proxy.mesh.triangles.empty() || closed(proxy)) << i;
-      const double all = volume(m), gone = beyond(form, region);
-      EXPECT_NEAR(volume(proxy.mesh) + gone, all, 1e-4 * all) << i;
+      EXPECT_TRUE(proxy.mesh.triangles.empty() || closed_region(proxy)) << i;
+      const double all = region_volume(m), gone = beyond(form, region);
+      EXPECT_NEAR(region_volume(proxy.mesh) + gone, all, 1e-4 * all) << i;
       cut_somewhere += gone > 0.001 * all && gone < 0.999 * all ? 1 : 0;
     }
   }
@@ -172,11 +175,11 @@ TEST(CutRegions, CloseWhereverTheirPlanesLie) {
 }
 
 TEST(CutRegions, EndMarchesAtAllTheirPlanes) {
-  const auto ball = mesh(test::ellipsoid(Vec3(5), 120, 60));
+  const auto ball = region_mesh(test::ellipsoid(Vec3(5), 120, 60));
   const CutRegion region{{{0, 0, 1}, 1}, {{1, 0, 0}, 2}};
-  const auto surface = realised(cut_form(ball, region, 0, ""));
+  const auto surface = realised_region(cut_form(ball, region, 0, ""));
   const ProxyMesh& proxy = surface->proxy();
-  ASSERT_TRUE(closed(proxy));
+  ASSERT_TRUE(closed_region(proxy));
   std::size_t tried = 0, ended = 0, flat = 0;
   for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); f += 7) {
     const SurfacePoint p = surface->lift({f, Vec3(1.0 / 3)});

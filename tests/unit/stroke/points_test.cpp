@@ -42,8 +42,8 @@ class Noted final : public Surface {
 
 constexpr double kLength = 3;
 
-struct Stage : test::StrokeStage {
-  explicit Stage(TriMesh mesh, const char* view = "front")
+struct PointStage : test::StrokeStage {
+  explicit PointStage(TriMesh mesh, const char* view = "front")
       : StrokeStage(std::move(mesh), view, 1) {}
 };
 
@@ -88,7 +88,7 @@ TEST_P(OnPoints, EachStrokeIsCentredOnAPointOfTheCoverage) {
 
 // Points follow the face whatever the direction of their strokes.
 TEST_P(OnPoints, AsManyAsTheToneAsksForAreSpreadEvenly) {
-  Stage stage(plate());
+  PointStage stage(plate());
   const double ink = 0.3;
   const StrokeResult r = stage.strokes(field::fixed({1, 0, 0}), 1 - ink, options_of(GetParam()));
   // Strokes by chance cover 1 - exp(-a - k a^2) where a = n length width (kernel/stroke/README.md).
@@ -136,7 +136,7 @@ TEST_P(OnPoints, ArePlacedAsDenselyWhereverPerspectivePutsThem) {
 TEST_P(OnPoints, AreTheSameForAnyNumberOfThreads) {
   const auto run = [](int threads) {
     const ThreadLimit limit(threads);
-    Stage stage(test::torus(20, 8, 64, 32), "iso");
+    PointStage stage(test::torus(20, 8, 64, 32), "iso");
     HatchOptions options = options_of(GetParam());
     options.cross_from = 0.3;
     return stage.strokes(field::principal(), 0.5, options);
@@ -153,7 +153,7 @@ TEST_P(OnPoints, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST_P(OnPoints, FollowTheSeed) {
-  Stage stage(plate());
+  PointStage stage(plate());
   const auto field = field::fixed({0, 0, 1});
   const HatchOptions options = options_of(GetParam());
   EXPECT_NE(stage.strokes(field, 0.7, options, 1).strokes.front().points,
@@ -161,12 +161,12 @@ TEST_P(OnPoints, FollowTheSeed) {
 }
 
 TEST_P(OnPoints, LeaveThePaperWhiteWhereNoInkIsAsked) {
-  Stage stage(plate());
+  PointStage stage(plate());
   EXPECT_TRUE(stage.strokes(field::fixed({0, 0, 1}), 0.97, options_of(GetParam())).strokes.empty());
 }
 
 TEST_P(OnPoints, RefuseMoreThanMemoryShouldHold) {
-  Stage stage(plate());
+  PointStage stage(plate());
   HatchOptions options = options_of(GetParam());
   options.length = 0.1;
   options.width_min = options.width_max = 0.01;
@@ -195,7 +195,7 @@ double nearest_neighbour(const StrokeResult& r) {
 }
 
 TEST(OnDiscs, NoTwoAreNearerThanTheToneAsks) {
-  Stage stage(plate());
+  PointStage stage(plate());
   HatchOptions options = options_of("discs");
   options.length = 0.1;
   options.width_min = options.width_max = 0.5;
@@ -217,7 +217,7 @@ HatchOptions dots() {
 }
 
 TEST(Dots, NoTwoAreNearerThanTheSpacingAndTheyStandEverywhere) {
-  Stage stage(plate());
+  PointStage stage(plate());
   const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   for (const double tone : {0.9, 0.5, 0.1}) {
     const StrokeResult r = stage.strokes(nowhere, tone, dots());
@@ -241,7 +241,7 @@ TEST(Dots, NoTwoAreNearerThanTheSpacingAndTheyStandEverywhere) {
 // Of the largest dots at the least distance pi / 4 of what such points pack is covered, and less
 // where they overlap: a tone that asks for more gets that.
 TEST(Dots, AreAsManyAsTheToneAsks) {
-  Stage stage(plate());
+  PointStage stage(plate());
   const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   for (const double ink : {0.05, 0.2, 0.4}) {
     const StrokeResult r = stage.strokes(nowhere, 1 - ink, dots());
@@ -253,7 +253,7 @@ TEST(Dots, AreAsManyAsTheToneAsks) {
 }
 
 TEST(Dots, TheSameForAnyNumberOfThreads) {
-  Stage stage(plate());
+  PointStage stage(plate());
   const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   std::vector<StrokeResult> results;
   for (const int threads : {1, 2, 3}) {
@@ -270,7 +270,7 @@ TEST(Dots, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(Placings, AnUnknownOneNamesThoseThereAre) {
-  Stage stage(plate());
+  PointStage stage(plate());
   HatchOptions options = options_of("rows");
   try {
     (void)stage.strokes(field::fixed({0, 0, 1}), 0.7, options);

@@ -20,7 +20,7 @@ using Stage = test::StrokeStage;
 using namespace detail;
 
 constexpr double kGap = 0.8;  // mm
-const HatchOptions kOneFamily{.spacing_min = kGap,
+const HatchOptions kTipFamily{.spacing_min = kGap,
                               .spacing_max = 2 * kGap,
                               .width_min = 0.1,
                               .width_max = 0.5,
@@ -55,7 +55,7 @@ TEST(Tips, LeaveNoHolesBeforeThem) {
                     const Vec3 up = glm::normalize(Vec3(p.x - 0.5 * kWide, 0, p.z + 12));
                     return Cross{.first = up, .second = {up.z, 0, -up.x}, .certainty = 1};
                   }};
-  const StrokeResult r = stage.strokes(fan, 0.7, kOneFamily);
+  const StrokeResult r = stage.strokes(fan, 0.7, kTipFamily);
   std::vector<double> holes;  // gaps
   for (const Curve3& c : r.strokes) {
     const Vec3 p = c.points.front().z < c.points.back().z ? c.points.front() : c.points.back();
@@ -75,7 +75,7 @@ TEST(Tips, AreNoTeethAlongABorder) {
   constexpr double kHigh = 40, kSlant = 12 * std::numbers::pi / 180;
   Stage stage(test::box({0, 0, 0}, {60, 5, kHigh}), "front", 1);
   const Vec3 along(std::cos(kSlant), 0, std::sin(kSlant));
-  const StrokeResult r = stage.strokes(field::fixed(along), 0.4, kOneFamily);
+  const StrokeResult r = stage.strokes(field::fixed(along), 0.4, kTipFamily);
   std::size_t ends = 0;
   for (const Curve3& c : r.strokes) {
     for (const bool begin : {true, false}) {

@@ -22,7 +22,7 @@ using namespace detail;
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::int32_t kNx = 60, kNy = 40;
-constexpr double kGap = 1.1;  // mm between upright lines
+constexpr double kPairGap = 1.1;  // mm between upright lines
 
 struct Sheet {
   Sheet() {
@@ -40,7 +40,7 @@ struct Sheet {
     graph.components = 1;
     for (std::size_t i = 0; i < n; ++i) {
       graph.node[i] = static_cast<std::int32_t>(i);
-      graph.nodes.push_back({static_cast<std::uint32_t>(i), Vec2(1 / kGap, 0), true});
+      graph.nodes.push_back({static_cast<std::uint32_t>(i), Vec2(1 / kPairGap, 0), true});
       graph.order.push_back(static_cast<std::uint32_t>(i));
     }
     for (std::int32_t y = 0; y < kNy; ++y) {
@@ -68,7 +68,7 @@ struct Sheet {
     for (std::int32_t y = 0; y < kNy; ++y) {
       for (std::int32_t x = 0; x < kNx; ++x) {
         const Vec2 p = raster.center(x, y);
-        double turn = 2 * kPi * p.x / kGap + 0.3;
+        double turn = 2 * kPi * p.x / kPairGap + 0.3;
         for (const auto& [at, way] : places) turn += way * std::atan2(p.y - at.y, p.x - at.x);
         phase.at.push_back(turn - 2 * kPi * std::floor(turn / (2 * kPi)));
       }
@@ -110,7 +110,7 @@ TEST(WavePairs, OppositeDislocationsCancel) {
   EXPECT_LT(sheet.worst(phase), 0.01);
   // 24 mm of sheet: a line each 1.1 mm, all from border to border.
   const auto lines = level_lines(sheet.raster, sheet.graph, phase, sheet.context);
-  EXPECT_NEAR(static_cast<double>(lines.size()), 24 / kGap, 1.5);
+  EXPECT_NEAR(static_cast<double>(lines.size()), 24 / kPairGap, 1.5);
 }
 
 TEST(WavePairs, OneThatNothingCancelsStays) {
@@ -149,7 +149,7 @@ LevelLine ring_piece(const Vec2& middle, double from, double to, std::int64_t nu
   for (int i = 0; i <= kSteps; ++i) {
     const double a = from + (to - from) * i / kSteps;
     line.points.push_back(middle + kRadius * Vec2(std::cos(a), std::sin(a)));
-    line.gaps.push_back(static_cast<float>(kGap));
+    line.gaps.push_back(static_cast<float>(kPairGap));
   }
   line.number = number;
   return line;

@@ -119,8 +119,8 @@ struct Wrong {
   double shown = 0, strokes = 0;
 };
 
-struct Scene {
-  explicit Scene(const Forms& forms, Vec3 direction, std::optional<double> perspective = {})
+struct EndScene {
+  explicit EndScene(const Forms& forms, Vec3 direction, std::optional<double> perspective = {})
       : camera(Camera::fit(
             [&](const Mat3& axes) {
               Box3 box;
@@ -249,7 +249,7 @@ Truth tubes() {
 // meet at 30 degrees may cut each other that much farther.
 void expect_exact(const std::string& name, const Forms& forms, const Truth& truth, double most) {
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(35)}) {
-    Scene scene(forms, {1, -1, 1}, perspective);
+    EndScene scene(forms, {1, -1, 1}, perspective);
     const Wrong wrong = scene.compare(truth);
     const std::string where = name + (perspective ? " in perspective" : "");
     EXPECT_GT(wrong.strokes, 300) << where;
@@ -300,7 +300,7 @@ TEST(StrokeEnds, WhereASurfacePassesThroughItself) {
     const Vec3 x = glm::normalize(glm::cross(t, Vec3(0, 0, 1))), y = glm::cross(t, x);
     return centre(s) + kTube * (std::cos(a) * x + std::sin(a) * y);
   });
-  Scene scene({mesh(tube)}, {1, -1, 1});
+  EndScene scene({mesh(tube)}, {1, -1, 1});
   std::vector<Vec3> middle;
   for (int m = 0; m < 400; ++m) middle.push_back(centre(2 * test::kPi * m / 400));
   double worst = 0;
@@ -344,7 +344,7 @@ TEST(StrokeEnds, BehindOpenRims) {
   const auto chart = moved(test::cylinder_chart(12, 60, 2 * test::kPi), {Mat3(1), {0, 0, -30}});
   for (const double up : {1.0, 0.5, 0.25, 0.1, 0.05}) {
     for (const bool exact : {false, true}) {
-      Scene scene({exact ? parametric({chart}) : mesh(tube)}, {1, -1, up});
+      EndScene scene({exact ? parametric({chart}) : mesh(tube)}, {1, -1, up});
       const Wrong wrong = scene.compare(open);
       // The chart's rim, seen as a strip narrower than a mm: both its facets' errors deep.
       const double most = exact && up < 0.2 ? 0.5 : 0.1;

@@ -113,7 +113,7 @@ class Pen {
   Outline outline_;
 };
 
-Vec2 point_of(const FT_Vector* v) {
+Vec2 outline_point(const FT_Vector* v) {
   return Vec2(static_cast<double>(v->x), static_cast<double>(v->y)) / kScale;
 }
 
@@ -121,19 +121,19 @@ Vec2 point_of(const FT_Vector* v) {
 void decompose(FT_Outline& outline, Pen& pen) {
   FT_Outline_Funcs functions{};
   functions.move_to = [](const FT_Vector* to, void* p) {
-    static_cast<Pen*>(p)->move(point_of(to));
+    static_cast<Pen*>(p)->move(outline_point(to));
     return 0;
   };
   functions.line_to = [](const FT_Vector* to, void* p) {
-    static_cast<Pen*>(p)->line(point_of(to));
+    static_cast<Pen*>(p)->line(outline_point(to));
     return 0;
   };
   functions.conic_to = [](const FT_Vector* b, const FT_Vector* to, void* p) {
-    static_cast<Pen*>(p)->curve(point_of(b), point_of(to));
+    static_cast<Pen*>(p)->curve(outline_point(b), outline_point(to));
     return 0;
   };
   functions.cubic_to = [](const FT_Vector* b, const FT_Vector* c, const FT_Vector* to, void* p) {
-    static_cast<Pen*>(p)->curve(point_of(b), point_of(c), point_of(to));
+    static_cast<Pen*>(p)->curve(outline_point(b), outline_point(c), outline_point(to));
     return 0;
   };
   FT_Outline_Decompose(&outline, &functions, &pen);

@@ -15,7 +15,7 @@ namespace burin::csg {
 namespace {
 
 // mm: moved points are rounded to the grid, after a calculation in doubles that is as exact.
-constexpr double kSlack = 2.5 / kGrid;
+constexpr double kOffsetSlack = 2.5 / kGrid;
 
 // OpenSCAD sets it so high that corners of delta are never cut.
 constexpr double kMiterLimit = 1e6;
@@ -27,7 +27,7 @@ ClipperLib::JoinType join_type(OffsetRule::Corner corner) {
 }
 
 bool on_circle(Vec2 p, Vec2 middle, double radius) {
-  return std::abs(glm::length(p - middle) - radius) <= kSlack;
+  return std::abs(glm::length(p - middle) - radius) <= kOffsetSlack;
 }
 
 /// Whether the edge is a facet of the circle: its ends on it, and hardly longer than a facet. Where

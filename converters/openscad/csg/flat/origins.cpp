@@ -14,7 +14,7 @@ namespace {
 // Clipper holds 2^62 grid units; squares of these still fit into its 128 bits.
 constexpr double kFarthest = 1e12;
 // mm: a cut point is rounded by less than one unit in each direction, and its edge too.
-constexpr double kSlack = 2.0 / kGrid;
+constexpr double kOriginSlack = 2.0 / kGrid;
 
 std::size_t mixed(std::uint64_t a, std::uint64_t b) {
   std::uint64_t h = a * 0x9e3779b97f4a7c15u + b;
@@ -80,7 +80,7 @@ void Origins::add_edge(Vec2 a, Vec2 b, const Arc& arc) {
   levels_.emplace(level, size);
   const auto edge = static_cast<std::uint32_t>(edges_.size());
   edges_.push_back({a, b, static_cast<std::uint32_t>(arcs_.size() - 1)});
-  const Vec2 low = glm::min(a, b) - kSlack, high = glm::max(a, b) + kSlack;
+  const Vec2 low = glm::min(a, b) - kOriginSlack, high = glm::max(a, b) + kOriginSlack;
   for (std::int64_t x = cell_of(low.x, size); x <= cell_of(high.x, size); ++x) {
     for (std::int64_t y = cell_of(low.y, size); y <= cell_of(high.y, size); ++y) {
       cells_[{level, x, y}].push_back(edge);
@@ -100,7 +100,8 @@ std::int64_t Origins::arc_on(Vec2 a, Vec2 b) const {
     if (cell == cells_.end()) continue;
     for (const std::uint32_t edge : cell->second) {
       const Edge& e = edges_[edge];
-      if (distance_to_segment(a, e.a, e.b) <= kSlack && distance_to_segment(b, e.a, e.b) <= kSlack)
+      if (distance_to_segment(a, e.a, e.b) <= kOriginSlack &&
+          distance_to_segment(b, e.a, e.b) <= kOriginSlack)
         return e.arc;
     }
   }

@@ -38,11 +38,11 @@ Ranks rank(const std::vector<Vec2>& top, int along) {
   return out;
 }
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoRidge = std::numeric_limits<std::uint32_t>::max();
 
 /// A wall over one stretch of the ridge: its points there, and how far aside it stands.
 struct Piece {
-  std::uint32_t low = 0, high = 0, middle = kNone;
+  std::uint32_t low = 0, high = 0, middle = kNoRidge;
   double aside = 0;
 };
 
@@ -121,7 +121,7 @@ class Builder {
       const Piece &a = pieces[i], &b = pieces[i + 1];
       sets.join(a.low, b.low);
       sets.join(a.high, b.high);
-      if (a.middle != kNone) sets.join(a.middle, b.middle);
+      if (a.middle != kNoRidge) sets.join(a.middle, b.middle);
     }
   }
 

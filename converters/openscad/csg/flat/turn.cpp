@@ -12,7 +12,7 @@
 namespace burin::csg {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 class Turner {
  public:
@@ -31,7 +31,7 @@ class Turner {
 
   Solid run() {
     const int rings = whole_ ? fragments_ : fragments_ + 1;
-    first_.assign(cap_.points.size(), kNone);
+    first_.assign(cap_.points.size(), kNoPoint);
     for (std::uint32_t p = 0; p < cap_.points.size(); ++p) {
       first_[p] = static_cast<std::uint32_t>(solid_.positions.size());
       const int copies = on_axis(p) ? 1 : rings;
@@ -107,7 +107,7 @@ class Turner {
     if (!from && !to) return;
     const std::int32_t row = row_of(edge);
     // Two walls that meet on the axis after a whole turn do so in a point of each.
-    const std::uint32_t a = from ? kNone : tip(edge.from), b = to ? kNone : tip(edge.to);
+    const std::uint32_t a = from ? kNoPoint : tip(edge.from), b = to ? kNoPoint : tip(edge.to);
     for (int j = 0; j < fragments_; ++j) {
       const std::uint32_t a0 = from ? vertex(edge.from, j) : a, b0 = to ? vertex(edge.to, j) : b;
       const std::uint32_t a1 = from ? vertex(edge.from, j + 1) : a,

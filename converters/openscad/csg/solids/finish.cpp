@@ -55,7 +55,7 @@ void name_lines(Space& space, Mesh& mesh) {
   }
 }
 
-void shorten(Facet& facet, const std::unordered_map<Id, Passage>& at) {
+void leave_out_passages(Facet& facet, const std::unordered_map<Id, Passage>& at) {
   const auto passes = [&](Id p) { return at.at(p).straight; };
   std::unordered_map<Id, std::size_t> next;
   for (std::size_t k = 0; k < facet.edges.size(); ++k) {
@@ -142,7 +142,7 @@ void straighten(Space& space, Mesh& mesh) {
       if (++leaving[e.a] > 1) at[e.a].straight = false;
     }
   }
-  for (Facet& f : mesh.facets) shorten(f, at);
+  for (Facet& f : mesh.facets) leave_out_passages(f, at);
 }
 
 Solid solid_of(Space& space, const Mesh& mesh) {

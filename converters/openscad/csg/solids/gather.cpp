@@ -8,7 +8,7 @@
 namespace burin::csg {
 namespace {
 
-std::size_t order_of(const Matrix& m) {
+std::size_t matrix_order(const Matrix& m) {
   std::size_t h = 0;
   for (const auto& row : m.row) {
     for (const double v : row) h = h * 0x100000001b3 ^ std::hash<double>{}(v);
@@ -35,7 +35,7 @@ void add_point(Box3& box, const Matrix& at, const std::array<double, 3>& p) {
 
 void Gather::run(ShapeId root) {
   matrices.push_back(exact(Matrix{}));
-  by_value_[order_of(Matrix{})].push_back(0);
+  by_value_[matrix_order(Matrix{})].push_back(0);
   formula.nodes.push_back({Formula::Kind::Union, 0, {}});
   open_.push_back({root, 0, 0, kNothing});
   while (!open_.empty()) {
@@ -118,7 +118,7 @@ void Gather::cut(Open o) {
 
 std::uint32_t Gather::product(std::uint32_t outer, std::uint32_t inner) {
   ExactMatrix m = multiply(matrices[outer], exact(shapes_.matrices_[inner]));
-  auto& alike = by_value_[order_of(m.nearest)];
+  auto& alike = by_value_[matrix_order(m.nearest)];
   for (const std::uint32_t k : alike) {
     if (matrices[k].row == m.row) return k;
   }

@@ -1,5 +1,7 @@
 #include "inside.h"
 
+#include "space.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 namespace burin::csg {
 namespace {
 
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
 // So that samples do not fall on lines that people draw through the middle of things.
 constexpr std::array<double, 3> kWeights{0.4123, 0.3311, 0.2566};
 // A triangle so many times larger than its error holds its sample for sure.

@@ -68,7 +68,7 @@ std::vector<std::uint32_t> all_of(const std::vector<Vec3>& points) {
   return out;
 }
 
-double largest(const std::vector<Vec3>& points) {
+double largest_coordinate(const std::vector<Vec3>& points) {
   double out = 0;
   for (const Vec3& p : points) {
     out = std::max({out, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> by_place(const std::vector<Vec3>& points,
   std::vector<std::uint32_t> out = all_of(points);
   // Coordinates beyond have no cell of their own, and no digits for one.
   constexpr double kMostCells = 0x1p52;
-  if (!(largest(points) / reach < kMostCells)) return out;
+  if (!(largest_coordinate(points) / reach < kMostCells)) return out;
   Places places(points, reach);
   for (const std::uint32_t i : which) out[i] = places.find(i);
   return out;
@@ -95,13 +95,13 @@ std::vector<std::uint32_t> by_place(const std::vector<Vec3>& points, double reac
 
 double last_digit(const std::vector<Vec3>& points) {
   constexpr double kDigits = 6, kMore = 1.01;
-  const double size = largest(points);
+  const double size = largest_coordinate(points);
   return size > 0 ? kMore * std::pow(10.0, std::floor(std::log10(size)) + 1 - kDigits) : kFineGrid;
 }
 
 std::vector<std::uint32_t> open_corners(const Solid& solid) {
-  using Edge = std::array<std::uint32_t, 2>;
-  std::vector<Edge> edges, back, open;
+  using Side = std::array<std::uint32_t, 2>;
+  std::vector<Side> edges, back, open;
   for (const auto& t : solid.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       edges.push_back({t[k], t[(k + 1) % 3]});
@@ -112,7 +112,7 @@ std::vector<std::uint32_t> open_corners(const Solid& solid) {
   std::ranges::sort(back);
   std::ranges::set_difference(edges, back, std::back_inserter(open));
   std::vector<std::uint32_t> out;
-  for (const Edge& e : open) out.insert(out.end(), e.begin(), e.end());
+  for (const Side& e : open) out.insert(out.end(), e.begin(), e.end());
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;

@@ -20,7 +20,7 @@ constexpr std::size_t kFewestCells = 6;
 constexpr std::size_t kTried = 6, kSample = 4000;
 
 using Corners = std::array<std::uint32_t, 4>;
-constexpr std::uint32_t kNone = 0xFFFFFFFF;
+constexpr std::uint32_t kNoFace = 0xFFFFFFFF;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -51,7 +51,7 @@ class Finder {
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
       const auto& c = faces[f];
       if (c.size() != 3 && c.size() != 4) continue;
-      const Corners corners = sorted({c[0], c[1], c[2], c.size() == 3 ? kNone : c[3]});
+      const Corners corners = sorted({c[0], c[1], c[2], c.size() == 3 ? kNoFace : c[3]});
       if (face_.emplace(corners, f).second) left_.push_back(corners);
     }
   }
@@ -79,7 +79,7 @@ class Finder {
     std::unordered_map<std::uint32_t, std::size_t> count;
     for (std::size_t f = 0; f < left_.size(); f += stride()) {
       const Corners& corners = left_[f];
-      const std::size_t n = corners[3] == kNone ? 3 : 4;
+      const std::size_t n = corners[3] == kNoFace ? 3 : 4;
       for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = i + 1; k < n; ++k) ++count[corners[k] - corners[i]];
       }
@@ -103,23 +103,23 @@ class Finder {
 
   std::uint32_t face(const Corners& c) const {
     const auto f = face_.find(sorted(c));
-    return f == face_.end() ? kNone : f->second;
+    return f == face_.end() ? kNoFace : f->second;
   }
-  /// The quadrangle a b c d, or two triangles of it; kNone first where there is no such cell.
+  /// The quadrangle a b c d, or two triangles of it; kNoFace first where there is no such cell.
   std::array<std::uint32_t, 2> cell(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                     std::uint32_t d) const {
-    if (const std::uint32_t f = face({a, b, c, d}); f != kNone) return {f, kNone};
+    if (const std::uint32_t f = face({a, b, c, d}); f != kNoFace) return {f, kNoFace};
     for (const auto& [one, other] :
-         {std::pair<Corners, Corners>{{a, b, c, kNone}, {a, c, d, kNone}},
-          std::pair<Corners, Corners>{{a, b, d, kNone}, {b, c, d, kNone}}}) {
-      const std::uint32_t f = face(one), g = f == kNone ? kNone : face(other);
-      if (g != kNone) return {f, g};
+         {std::pair<Corners, Corners>{{a, b, c, kNoFace}, {a, c, d, kNoFace}},
+          std::pair<Corners, Corners>{{a, b, d, kNoFace}, {b, c, d, kNoFace}}}) {
+      const std::uint32_t f = face(one), g = f == kNoFace ? kNoFace : face(other);
+      if (g != kNoFace) return {f, g};
     }
-    return {kNone, kNone};
+    return {kNoFace, kNoFace};
   }
   bool has(std::uint32_t p, std::uint32_t width) const {
     return std::uint64_t{p} + width + 1 < points_.size() &&
-           cell(p, p + 1, p + width + 1, p + width)[0] != kNone;
+           cell(p, p + 1, p + width + 1, p + width)[0] != kNoFace;
   }
 
   /// Cells at the first corners of faces.
@@ -134,12 +134,12 @@ class Finder {
   /// Whether between the row that begins at `from` and that at `to` all cells are there.
   bool joined(std::uint32_t from, std::uint32_t to, std::uint32_t width) const {
     for (std::uint32_t i = 0; i + 1 < width; ++i) {
-      if (cell(from + i, from + i + 1, to + i + 1, to + i)[0] == kNone) return false;
+      if (cell(from + i, from + i + 1, to + i + 1, to + i)[0] == kNoFace) return false;
     }
     return true;
   }
   bool wraps(std::uint32_t from, std::uint32_t to, std::uint32_t width) const {
-    return width > 2 && cell(from + width - 1, from, to, to + width - 1)[0] != kNone;
+    return width > 2 && cell(from + width - 1, from, to, to + width - 1)[0] != kNoFace;
   }
 
   /// Takes every grid of that width; false where there was none after all.
@@ -218,7 +218,7 @@ FaceSurfaces surfaces_by_rows(const std::vector<Vec3>& points, const Faces& face
     for (std::size_t c = 0; c < f.faces.size(); ++c) {
       if (smooth.piece_of[c] < 0) continue;
       for (const std::uint32_t face : f.faces[c]) {
-        if (face != kNone) out.of[at(face)] = first + smooth.piece_of[c];
+        if (face != kNoFace) out.of[at(face)] = first + smooth.piece_of[c];
       }
     }
   }

@@ -8,7 +8,6 @@
 namespace burin::csg {
 namespace {
 
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
 // Relative to the size of all: points whose doubles are worse than this are solved exactly.
 constexpr double kReach = 1e-12;
 // Planes whose numbers differ by less may be one.

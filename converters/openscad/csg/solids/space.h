@@ -6,6 +6,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <memory_resource>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace burin::csg {
+
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
 using Id = std::uint32_t;
 inline constexpr Id kNone = ~Id{0};

@@ -22,7 +22,7 @@ constexpr std::size_t kManyTriangles = 20'000;
 // Triangles of results that are kept for others that are alike: half a gigabyte.
 constexpr std::size_t kMostKept = 4'000'000;
 
-double largest(const Box3& b) {
+double largest_bound(const Box3& b) {
   const Vec3 v = glm::max(glm::abs(b.min), glm::abs(b.max));
   return std::max({v.x, v.y, v.z});
 }
@@ -209,7 +209,8 @@ class WorkOut {
   void cut(std::size_t c) {
     Cut& cut = cuts_[c];
     double size = 0;
-    for (const std::uint32_t s : cut.leaves) size = std::max(size, largest(all_.leaves[s].box));
+    for (const std::uint32_t s : cut.leaves)
+      size = std::max(size, largest_bound(all_.leaves[s].box));
     Space space(size);
     std::vector<Turned> surfaces;
     std::vector<Mesh> meshes;

@@ -192,7 +192,7 @@ TopoDS_Shape without_rounds(const TopoDS_Face& face, const std::vector<Wire>& wi
 }
 
 /// Null where there is nothing to mend, or it fails.
-TopoDS_Shape mended(const TopoDS_Face& face) {
+TopoDS_Shape mended_face(const TopoDS_Face& face) {
   const Turns turns(face);
   if (turns.surface.IsNull() || !turns.any()) return {};
   std::vector<Wire> wires;
@@ -221,7 +221,7 @@ TopoDS_Shape unroll_wires(const TopoDS_Shape& shape) {
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
     contained([&] {
-      const TopoDS_Shape better = mended(face);
+      const TopoDS_Shape better = mended_face(face);
       if (better.IsNull()) return;
       changes.Replace(face, better);
       any = true;

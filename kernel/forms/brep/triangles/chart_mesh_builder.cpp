@@ -16,10 +16,6 @@
 namespace burin {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 /// One piece of a coedge between two nodes of its face.
 struct Segment {
   std::uint32_t low, high;  // nodes
@@ -27,7 +23,7 @@ struct Segment {
   double t_low, t_high;
 };
 
-bool before(const Segment& s, const Segment& t) {
+bool comes_before(const Segment& s, const Segment& t) {
   return s.low != t.low ? s.low < t.low : s.high < t.high;
 }
 
@@ -59,7 +55,7 @@ class Builder {
          c < parts_.coedges.size() && parts_.coedges[c].face == static_cast<std::int32_t>(f); ++c) {
       add_coedge(static_cast<std::int32_t>(c), t, location);
     }
-    std::ranges::sort(segments_, before);
+    std::ranges::sort(segments_, comes_before);
     const gp_Trsf& move = location.Transformation();
     for (int i = 1; i <= t->NbNodes(); ++i) {
       std::uint32_t& g = global_[static_cast<std::size_t>(i)];
@@ -231,7 +227,7 @@ class Builder {
 
   std::int32_t add_border(std::uint32_t a, std::uint32_t b) {
     const Segment key{std::min(a, b), std::max(a, b), -1, 0, 0};
-    const auto s = std::ranges::lower_bound(segments_, key, before);
+    const auto s = std::ranges::lower_bound(segments_, key, comes_before);
     if (s == segments_.end() || s->low != key.low || s->high != key.high) return -1;
     const bool up = a < b;
     mesh_.borders.push_back({parts_.coedges[index(s->coedge)].edge,

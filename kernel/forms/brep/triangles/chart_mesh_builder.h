@@ -5,7 +5,13 @@
 
 #include "model_parts.h"
 
+#include <cstddef>
+#include <cstdint>
+
 namespace burin {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+inline std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Corners at vertices and on edges are shared by the faces that meet there; triangles that shrink
 /// to nothing (at poles) are left out. `unmeshed` gets the faces without triangles. Where more than

@@ -29,7 +29,7 @@ bool done(const Work& work, const Marks& out, std::string& reason) {
 }
 
 /// `out`, and all faces from `end` on.
-Marks before(const Marks& out, std::size_t end) {
+Marks marks_before(const Marks& out, std::size_t end) {
   Marks marks = out;
   std::fill(marks.begin() + static_cast<std::ptrdiff_t>(end), marks.end(), std::uint8_t{1});
   return marks;
@@ -40,7 +40,7 @@ std::size_t culprit(const Work& work, const Marks& out, std::string& reason) {
   std::size_t works = 0, fails = out.size();
   while (fails - works > 1) {
     const std::size_t middle = std::midpoint(works, fails);
-    (done(work, before(out, middle), reason) ? works : fails) = middle;
+    (done(work, marks_before(out, middle), reason) ? works : fails) = middle;
   }
   return works;
 }

@@ -7,13 +7,13 @@
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/repair/repair.h>
 
+#include "chart_mesh_builder.h"
+
 #include <map>
 #include <utility>
 
 namespace burin {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// The triangles of each face as a soup.
 std::map<std::int32_t, PolygonSoup> by_face(const LooseTriangles& loose) {
@@ -30,7 +30,7 @@ std::map<std::int32_t, PolygonSoup> by_face(const LooseTriangles& loose) {
 }
 
 /// Each face mended on its own, so that its triangles stay known.
-LooseTriangles mended(const LooseTriangles& loose, const RunContext& context) {
+LooseTriangles mended_triangles(const LooseTriangles& loose, const RunContext& context) {
   LooseTriangles out;
   for (auto& [face, soup] : by_face(loose)) {
     Diagnostics unheard;  // the face is named as loose already
@@ -101,7 +101,7 @@ LooseTriangles take_loose(ChartMesh& mesh, std::span<const std::uint8_t> loose,
 std::shared_ptr<const Surface> loose_surface(const LooseTriangles& triangles,
                                              const RealiseOptions& options,
                                              const RunContext& context) {
-  LooseTriangles clean = mended(triangles, context);
+  LooseTriangles clean = mended_triangles(triangles, context);
   if (clean.empty()) return nullptr;
   ProxyMesh proxy = build_proxy({std::move(clean.positions), std::move(clean.triangles)},
                                 {.crease_angle = options.crease_angle}, context);

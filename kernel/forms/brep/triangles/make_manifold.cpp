@@ -3,6 +3,8 @@
 #include <burin/base/disjoint_sets.h>
 #include <burin/base/groups.h>
 
+#include "chart_mesh_builder.h"
+
 #include <algorithm>
 #include <array>
 
@@ -10,15 +12,14 @@ namespace burin {
 namespace {
 
 using Half = std::int32_t;
-constexpr Half kNone = -1;
+constexpr Half kNoHalf = -1;
 
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 Half next(Half h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
 class Manifold {
  public:
   Manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body)
-      : mesh_(mesh), body_(face_body), opposite_(3 * mesh.triangles.size(), kNone) {}
+      : mesh_(mesh), body_(face_body), opposite_(3 * mesh.triangles.size(), kNoHalf) {}
 
   ManifoldPairs run() {
     // Two sheets may touch at a vertex alone, so vertices are split even where all edges pair at
@@ -56,7 +57,7 @@ class Manifold {
   /// turned against each other.
   bool pair() {
     bucket();
-    std::ranges::fill(opposite_, kNone);
+    std::ranges::fill(opposite_, kNoHalf);
     double_.clear();
     bool manifold = true;
     for (std::size_t v = 0; v < sorted_.size(); ++v) {
@@ -86,9 +87,9 @@ class Manifold {
     // Partners of the same model edge and body first, of the same edge, then any.
     for (int strictness = 2; strictness >= 0; --strictness) {
       for (auto i = begin; i != end; ++i) {
-        for (auto j = i + 1; j != end && opposite_[index(*i)] == kNone; ++j) {
+        for (auto j = i + 1; j != end && opposite_[index(*i)] == kNoHalf; ++j) {
           const bool fits =
-              opposite_[index(*j)] == kNone && from(*i) != from(*j) && alike(*i, *j, strictness);
+              opposite_[index(*j)] == kNoHalf && from(*i) != from(*j) && alike(*i, *j, strictness);
           if (fits) join(*i, *j);
         }
       }
@@ -96,7 +97,7 @@ class Manifold {
     // All but the first of them have to be told apart by vertices of their own.
     for (auto i = begin; i != end; ++i) {
       const Half o = opposite_[index(*i)];
-      if (*i != *begin && o != *begin && (o == kNone || *i < o)) double_.push_back(*i);
+      if (*i != *begin && o != *begin && (o == kNoHalf || *i < o)) double_.push_back(*i);
     }
     return false;
   }
@@ -118,7 +119,7 @@ class Manifold {
     DisjointSets fans(opposite_.size());
     for (Half h = 0; h < static_cast<Half>(opposite_.size()); ++h) {
       const Half o = opposite_[index(h)];
-      if (o == kNone) continue;
+      if (o == kNoHalf) continue;
       fans.join(static_cast<std::uint32_t>(h), static_cast<std::uint32_t>(next(o)));
     }
     std::vector<std::uint8_t> taken(mesh_.positions.size(), 0);
@@ -144,7 +145,7 @@ class Manifold {
   void agree_on_borders() {
     for (Half h = 0; h < static_cast<Half>(opposite_.size()); ++h) {
       const Half o = opposite_[index(h)];
-      if (o == kNone || mesh_.border[index(h)] >= 0 || mesh_.border[index(o)] < 0) continue;
+      if (o == kNoHalf || mesh_.border[index(h)] >= 0 || mesh_.border[index(o)] < 0) continue;
       const ChartMesh::Border b = mesh_.borders[index(mesh_.border[index(o)])];
       mesh_.border[index(h)] = static_cast<std::int32_t>(mesh_.borders.size());
       mesh_.borders.push_back({b.edge, -1, b.t1, b.t0});

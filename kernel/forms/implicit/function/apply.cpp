@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 
 namespace burin {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Ends that are NaN (0 * inf, inf - inf) tell nothing.
 Interval made(double min, double max) {
@@ -17,7 +16,7 @@ Interval made(double min, double max) {
   return {min, max};
 }
 
-Interval hull(std::initializer_list<double> v) {
+Interval hull_of_values(std::initializer_list<double> v) {
   for (const double x : v) {
     if (std::isnan(x)) return {};
   }
@@ -26,8 +25,8 @@ Interval hull(std::initializer_list<double> v) {
 
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }  // 0 * inf = 0 here
 
-Interval multiply(Interval a, Interval b) {
-  return hull(
+Interval product_of(Interval a, Interval b) {
+  return hull_of_values(
       {product(a.min, b.min), product(a.min, b.max), product(a.max, b.min), product(a.max, b.max)});
 }
 
@@ -45,10 +44,11 @@ Interval power(Interval a, double exponent) {
 }
 
 Interval cosine(Interval a) {
-  if (!(a.max - a.min < 2 * kPi) || !std::isfinite(a.min)) return {-1, 1};
+  if (!(a.max - a.min < 2 * std::numbers::pi) || !std::isfinite(a.min)) return {-1, 1};
   // Peaks at even, valleys at odd multiples of pi.
-  const double first = std::ceil(a.min / kPi), last = std::floor(a.max / kPi);
-  Interval r = hull({std::cos(a.min), std::cos(a.max)});
+  const double first = std::ceil(a.min / std::numbers::pi),
+               last = std::floor(a.max / std::numbers::pi);
+  Interval r = hull_of_values({std::cos(a.min), std::cos(a.max)});
   for (double k = first; k <= last; ++k) {
     if (std::fmod(k, 2) == 0) r.max = 1;
     if (std::fmod(k, 2) != 0) r.min = -1;
@@ -57,16 +57,16 @@ Interval cosine(Interval a) {
 }
 
 Interval tangent(Interval a) {
-  const double k = std::floor(a.min / kPi + 0.5);
-  const bool one_branch = std::isfinite(a.min) && a.max < (k + 0.5) * kPi;
+  const double k = std::floor(a.min / std::numbers::pi + 0.5);
+  const bool one_branch = std::isfinite(a.min) && a.max < (k + 0.5) * std::numbers::pi;
   return one_branch ? made(std::tan(a.min), std::tan(a.max)) : Interval{};
 }
 
-Interval angle(Interval y, Interval x) {
+Interval angle_between(Interval y, Interval x) {
   // Continuous away from the half line x <= 0, y = 0, and extreme at corners there.
-  if (x.min <= 0 && y.min <= 0 && y.max >= 0) return {-kPi, kPi};
-  return hull({std::atan2(y.min, x.min), std::atan2(y.min, x.max), std::atan2(y.max, x.min),
-               std::atan2(y.max, x.max)});
+  if (x.min <= 0 && y.min <= 0 && y.max >= 0) return {-std::numbers::pi, std::numbers::pi};
+  return hull_of_values({std::atan2(y.min, x.min), std::atan2(y.min, x.max),
+                         std::atan2(y.max, x.min), std::atan2(y.max, x.max)});
 }
 
 double clamp1(double v) { return std::clamp(v, -1.0, 1.0); }
@@ -154,7 +154,7 @@ Interval apply(Op op, Interval a, Interval b, double value) {
     case Op::Log:
       return a.max > 0 ? Interval{std::log(std::max(a.min, 0.0)), std::log(a.max)} : Interval{};
     case Op::Sin:
-      return cosine({a.min - 0.5 * kPi, a.max - 0.5 * kPi});
+      return cosine({a.min - 0.5 * std::numbers::pi, a.max - 0.5 * std::numbers::pi});
     case Op::Cos:
       return cosine(a);
     case Op::Tan:
@@ -174,13 +174,13 @@ Interval apply(Op op, Interval a, Interval b, double value) {
     case Op::Subtract:
       return made(a.min - b.max, a.max - b.min);
     case Op::Multiply:
-      return multiply(a, b);
+      return product_of(a, b);
     case Op::Min:
       return {std::min(a.min, b.min), std::min(a.max, b.max)};
     case Op::Max:
       return {std::max(a.min, b.min), std::max(a.max, b.max)};
     case Op::Atan2:
-      return angle(a, b);
+      return angle_between(a, b);
   }
   return {};
 }

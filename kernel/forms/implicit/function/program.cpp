@@ -8,14 +8,12 @@ namespace {
 using Mask = Program::Mask;
 
 constexpr Mask bit(int c) { return static_cast<Mask>(1 << c); }
-// Axes of the second derivatives 4 .. 9.
-constexpr int kFirst[6] = {0, 1, 2, 0, 0, 1}, kSecond[6] = {0, 1, 2, 1, 2, 2};
 
 // Second derivatives that products of the first ones of `a` and `b` give.
 Mask outer(Mask a, Mask b) {
   Mask m = 0;
   for (int h = 0; h < 6; ++h) {
-    const Mask i = bit(1 + kFirst[h]), j = bit(1 + kSecond[h]);
+    const Mask i = bit(1 + kFirstAxis[h]), j = bit(1 + kSecondAxis[h]);
     if (((a & i) && (b & j)) || ((a & j) && (b & i))) m |= bit(4 + h);
   }
   return m;

@@ -10,6 +10,9 @@
 
 namespace burin {
 
+/// Axes of the second derivatives 4 .. 9.
+constexpr int kFirstAxis[6] = {0, 1, 2, 0, 0, 1}, kSecondAxis[6] = {0, 1, 2, 1, 2, 2};
+
 class Program {
  public:
   explicit Program(const Tape& tape);

@@ -13,8 +13,6 @@ namespace {
 using Mask = Program::Mask;
 using Step = Program::Step;
 
-constexpr int kFirst[6] = {0, 1, 2, 0, 0, 1}, kSecond[6] = {0, 1, 2, 1, 2, 2};
-
 bool has(Mask m, int c) { return (m >> c) & 1; }
 
 // Components that derivatives up to `Order` have, and points a block: as many as keep a dozen
@@ -117,8 +115,8 @@ class Block {
       }
       if constexpr (Order > 1) {
         if (c < 4) continue;
-        add_product(s, r, 1 + kFirst[c - 4], 1 + kSecond[c - 4]);
-        add_product(s, r, 1 + kSecond[c - 4], 1 + kFirst[c - 4]);
+        add_product(s, r, 1 + kFirstAxis[c - 4], 1 + kSecondAxis[c - 4]);
+        add_product(s, r, 1 + kSecondAxis[c - 4], 1 + kFirstAxis[c - 4]);
       }
     }
     for (int i = 0; i < N; ++i) r0[i] = a0[i] * b0[i];
@@ -160,7 +158,7 @@ class Block {
       }
       if constexpr (Order > 1) {
         if (c < 4) continue;
-        const int ci = 1 + kFirst[c - 4], cj = 1 + kSecond[c - 4];
+        const int ci = 1 + kFirstAxis[c - 4], cj = 1 + kSecondAxis[c - 4];
         if (!has(s.mask_a, ci) || !has(s.mask_a, cj)) continue;
         const double *x = at(s.a, ci), *y = at(s.a, cj);
         for (int i = 0; i < N; ++i) r[i] += f2_[i] * x[i] * y[i];
@@ -289,7 +287,7 @@ class Block {
           r[i] = (x[i] * yc[i] - y[i] * xc[i]) / (x[i] * x[i] + y[i] * y[i]);
         }
         if (Order < 2 || c < 4) continue;
-        const int ci = 1 + kFirst[c - 4], cj = 1 + kSecond[c - 4];
+        const int ci = 1 + kFirstAxis[c - 4], cj = 1 + kSecondAxis[c - 4];
         const double *yi = part(s.mask_a, s.a, ci), *xi = part(s.mask_b, s.b, ci);
         const double *yj = part(s.mask_a, s.a, cj), *xj = part(s.mask_b, s.b, cj);
         for (int i = 0; i < N; ++i) {

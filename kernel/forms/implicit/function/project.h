@@ -9,6 +9,9 @@
 
 namespace burin {
 
+/// Cosine of 2 degrees: pieces whose normals differ by less meet smoothly, and have no crease.
+constexpr double kSmooth = 0.99939;
+
 /// Newton along the gradient from `p`, at most `reach` away. Ends at |f| / |gradient| below
 /// `accuracy` (model mm). `gradient`, where asked for, is that of the last evaluation.
 std::optional<Vec3> onto_surface(const ImplicitFunction& f, Vec3 p, double reach, double accuracy,

@@ -10,13 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace burin::implicit {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPi = 3.14159265358979323846;
-
 void positive(const char* what, double v) {
   if (!(v > 0 && v < 1e12)) {
     throw UsageError(fmt::format("{} has to be a number over 0 and below 1e12, not {}", what, v));
@@ -30,7 +29,7 @@ void finite(const char* what, double v) {
 Box3 around(Vec3 half) { return {-half, half}; }
 Box3 grown(Box3 b, double d) { return {b.min - d, b.max + d}; }
 
-Box3 hull(Box3 a, const Box3& b) {
+Box3 hull_of_boxes(Box3 a, const Box3& b) {
   a.add(b);
   return a;
 }
@@ -146,7 +145,7 @@ Expression plane(double nx, double ny, double nz, double d) {
 Expression gyroid(double period, double thickness) {
   positive("the period of a gyroid", period);
   positive("the thickness of a gyroid", thickness);
-  const double k = 2 * kPi / period;
+  const double k = 2 * std::numbers::pi / period;
   const Expression x = k * Expression::x(), y = k * Expression::y(), z = k * Expression::z();
   const Expression g = sin(x) * cos(y) + sin(y) * cos(z) + sin(z) * cos(x);
   // The gradient of g on g = 0 lies between 1.22 k and 1.73 k, 1.5 k in the mean.
@@ -172,7 +171,7 @@ Expression blob(double r) {
 }
 
 Expression unite(const Expression& a, const Expression& b) {
-  return with_bounds(min(a, b), hull(a.bounds(), b.bounds()));
+  return with_bounds(min(a, b), hull_of_boxes(a.bounds(), b.bounds()));
 }
 Expression intersect(const Expression& a, const Expression& b) {
   return with_bounds(max(a, b), common(a.bounds(), b.bounds()));
@@ -186,7 +185,7 @@ Expression smooth_unite(const Expression& a, const Expression& b, double radius)
   const Expression f = max(min(a, b), radius) - length(max0(radius - a), max0(radius - b));
   // The fillet fills the corner between both: it stays inside the hull where both are convex, and
   // within the radius of them in any case.
-  return with_bounds(f, grown(hull(a.bounds(), b.bounds()), radius));
+  return with_bounds(f, grown(hull_of_boxes(a.bounds(), b.bounds()), radius));
 }
 Expression smooth_intersect(const Expression& a, const Expression& b, double radius) {
   return with_bounds(-smooth_unite(-a, -b, radius), common(a.bounds(), b.bounds()));
@@ -249,7 +248,7 @@ Expression offset(const Expression& f, double d) {
 
 Expression twist(const Expression& f, double degrees_per_mm) {
   finite("a twist", degrees_per_mm);
-  const Expression a = (degrees_per_mm * kPi / 180) * Expression::z();
+  const Expression a = (degrees_per_mm * std::numbers::pi / 180) * Expression::z();
   const Expression c = cos(a), s = sin(a);
   const Expression out = substitute(f, c * Expression::x() + s * Expression::y(),
                                     c * Expression::y() - s * Expression::x(), Expression::z());

@@ -14,10 +14,12 @@ constexpr Interval kZero{0, 0};
 
 Interval times(Interval a, Interval b) { return apply(Op::Multiply, a, b, 0); }
 Interval times(double a, Interval b) { return times(Interval{a, a}, b); }
-Interval sum(Interval a, Interval b) { return apply(Op::Add, a, b, 0); }
+Interval sum_of(Interval a, Interval b) { return apply(Op::Add, a, b, 0); }
 Interval negative(Interval a) { return {-a.max, -a.min}; }
 Interval over(Interval a, Interval b) { return times(a, apply(Op::Reciprocal, b, {}, 0)); }
-Interval hull(Interval a, Interval b) { return {std::min(a.min, b.min), std::max(a.max, b.max)}; }
+Interval hull_of_both(Interval a, Interval b) {
+  return {std::min(a.min, b.min), std::max(a.max, b.max)};
+}
 Interval square(Interval a) { return apply(Op::Square, a, {}, 0); }
 
 // u / r for a component u of a vector of length r.
@@ -88,7 +90,7 @@ class SlopeRun {
       case Op::Negate:
         return negative(d);
       case Op::Abs:
-        return a.min >= 0 ? d : a.max <= 0 ? negative(d) : hull(d, negative(d));
+        return a.min >= 0 ? d : a.max <= 0 ? negative(d) : hull_of_both(d, negative(d));
       case Op::Square:
         return times(times(2, a), d);
       case Op::Sqrt:
@@ -105,7 +107,7 @@ class SlopeRun {
         return negative(times(apply(Op::Sin, a, {}, 0), d));
       case Op::Tan:
         return std::isfinite(value_[k].min) && std::isfinite(value_[k].max)
-                   ? times(sum({1, 1}, square(value_[k])), d)
+                   ? times(sum_of({1, 1}, square(value_[k])), d)
                    : Interval{};
       case Op::Asin:
       case Op::Acos: {
@@ -114,7 +116,7 @@ class SlopeRun {
         return i.op == Op::Asin ? g : negative(g);
       }
       case Op::Atan:
-        return over(d, sum({1, 1}, square(a)));
+        return over(d, sum_of({1, 1}, square(a)));
       case Op::Round:
         return value_[k].min == value_[k].max ? kZero : Interval{};
       case Op::Power:
@@ -128,19 +130,19 @@ class SlopeRun {
     const Interval a = value_[i.a], b = value_[i.b], da = slope_[i.a], db = slope_[i.b];
     switch (i.op) {
       case Op::Add:
-        return sum(da, db);
+        return sum_of(da, db);
       case Op::Subtract:
         return apply(Op::Subtract, da, db, 0);
       case Op::Multiply:
-        return i.a == i.b ? times(times(2, a), da) : sum(times(a, db), times(b, da));
+        return i.a == i.b ? times(times(2, a), da) : sum_of(times(a, db), times(b, da));
       case Op::Min:
-        return a.max < b.min ? da : b.max < a.min ? db : hull(da, db);
+        return a.max < b.min ? da : b.max < a.min ? db : hull_of_both(da, db);
       case Op::Max:
-        return a.min > b.max ? da : b.min > a.max ? db : hull(da, db);
+        return a.min > b.max ? da : b.min > a.max ? db : hull_of_both(da, db);
       case Op::Atan2: {
         const bool jumps = b.min <= 0 && a.min <= 0 && a.max >= 0;
         const Interval up = apply(Op::Subtract, times(b, da), times(a, db), 0);
-        return jumps ? Interval{} : over(up, sum(square(a), square(b)));
+        return jumps ? Interval{} : over(up, sum_of(square(a), square(b)));
       }
       default:
         return {};
@@ -161,7 +163,7 @@ class SlopeRun {
       return add_squares(i.a, r, total, depth + 1) && add_squares(i.b, r, total, depth + 1);
     }
     if (i.op != Op::Square && !(i.op == Op::Multiply && i.a == i.b)) return false;
-    total = sum(total, times(share(value_[i.a], r), slope_[i.a]));
+    total = sum_of(total, times(share(value_[i.a], r), slope_[i.a]));
     return true;
   }
 

@@ -270,7 +270,7 @@ class TrivariateField final : public BoxField {
   Vec3 origin_{0}, last_{0};
 };
 
-void check(const TrivariateSpline& s) {
+void check_spline(const TrivariateSpline& s) {
   std::size_t n = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     const char axis = "xyz"[a];
@@ -310,7 +310,7 @@ void check(const TrivariateSpline& s) {
 
 std::shared_ptr<const ImplicitFunction> make_trivariate_function(TrivariateSpline spline,
                                                                  double level) {
-  check(spline);
+  check_spline(spline);
   const auto [min, max] = std::ranges::minmax(spline.coefficients);
   if (!(min < level && level < max)) {
     throw GeometryError(

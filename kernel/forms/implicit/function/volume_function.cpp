@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-void check(const VolumeGrid& grid, const VolumeOptions& options) {
+void check_grid(const VolumeGrid& grid, const VolumeOptions& options) {
   constexpr std::int64_t kMostSamples = std::int64_t{1} << 31;
   std::int64_t n = 1;
   for (const std::int32_t s : grid.size) {
@@ -76,7 +76,7 @@ void check_level(Interval range, const VolumeOptions& options) {
 std::shared_ptr<const ImplicitFunction> make_volume_function(VolumeGrid grid,
                                                              const VolumeOptions& options,
                                                              const RunContext& context) {
-  check(grid, options);
+  check_grid(grid, options);
   Interval range = clean(grid.samples, options.inside_above);
   const SampleBlock block{grid.size, grid.samples};
   if (options.smoothing > 0) {

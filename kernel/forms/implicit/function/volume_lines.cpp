@@ -11,8 +11,8 @@ namespace burin {
 namespace {
 
 // Lines that are filtered side by side: a cache line of floats.
-constexpr std::size_t kLanes = 16;
-using Row = std::array<double, kLanes>;
+constexpr std::size_t kLinesAtOnce = 16;
+using Row = std::array<double, kLinesAtOnce>;
 
 // Calls `filter` with bundles of lines along an axis, as rows of one sample of each line.
 void along(SampleBlock samples, std::size_t axis,
@@ -23,14 +23,14 @@ void along(SampleBlock samples, std::size_t axis,
   const std::array<std::size_t, 3> stride{1, n[0], n[0] * n[1]};
   // Lanes along x where they can be, else along y.
   const std::size_t side = axis == 0 ? 1 : 0, rest = 3 - axis - side;
-  const std::size_t bundles = (n[side] + kLanes - 1) / kLanes;
+  const std::size_t bundles = (n[side] + kLinesAtOnce - 1) / kLinesAtOnce;
   parallel_for(
       bundles * n[rest], 8,
       [&](std::size_t begin, std::size_t end) {
         std::vector<Row> rows(n[axis]);
         for (std::size_t b = begin; b < end; ++b) {
-          const std::size_t first = b % bundles * kLanes;
-          const std::size_t lanes = std::min(kLanes, n[side] - first);
+          const std::size_t first = b % bundles * kLinesAtOnce;
+          const std::size_t lanes = std::min(kLinesAtOnce, n[side] - first);
           float* at = samples.values.data() + b / bundles * stride[rest] + first * stride[side];
           for (std::size_t i = 0; i < n[axis]; ++i) {
             for (std::size_t l = 0; l < lanes; ++l) {
@@ -79,12 +79,12 @@ void smooth_samples(SampleBlock samples, double sigma, const RunContext& context
         [&](std::vector<Row>& rows) {
           const std::vector<Row> old = rows;
           for (std::size_t i = 0; i < rows.size(); ++i) {
-            for (std::size_t l = 0; l < kLanes; ++l) rows[i][l] = half[0] * old[i][l];
+            for (std::size_t l = 0; l < kLinesAtOnce; ++l) rows[i][l] = half[0] * old[i][l];
             for (std::size_t k = 1; k < half.size(); ++k) {
               const auto p = static_cast<std::ptrdiff_t>(i), d = static_cast<std::ptrdiff_t>(k);
               const Row& a = old[mirrored(p - d, old.size())];
               const Row& b = old[mirrored(p + d, old.size())];
-              for (std::size_t l = 0; l < kLanes; ++l) rows[i][l] += half[k] * (a[l] + b[l]);
+              for (std::size_t l = 0; l < kLinesAtOnce; ++l) rows[i][l] += half[k] * (a[l] + b[l]);
             }
           }
         },
@@ -106,13 +106,13 @@ void interpolate_samples(SampleBlock samples, int degree, const RunContext& cont
         [&](std::vector<Row>& rows) {
           // The ends keep their values: c[-1] = 2 c[0] - c[1].
           for (std::size_t i = 1; i + 1 < n; ++i) {
-            for (std::size_t l = 0; l < kLanes; ++l) {
+            for (std::size_t l = 0; l < kLinesAtOnce; ++l) {
               const double before = rows[i - 1][l];
               rows[i][l] = ((middle + 2) * rows[i][l] - before) * pole[i];
             }
           }
           for (std::size_t i = n - 2; i > 0; --i) {
-            for (std::size_t l = 0; l < kLanes; ++l) rows[i][l] -= pole[i] * rows[i + 1][l];
+            for (std::size_t l = 0; l < kLinesAtOnce; ++l) rows[i][l] -= pole[i] * rows[i + 1][l];
           }
         },
         context);

@@ -12,12 +12,10 @@
 namespace burin {
 namespace {
 
-// Pieces whose normals differ by less (cosine of 2 degrees) meet smoothly: fillets.
-constexpr double kSmooth = 0.99939;
 // Edge lengths that a point on a crease may lie away from the edge that it cuts; where the edge
 // passes behind a thin wedge, so far as its two faces take to meet, and half as far again (two
 // degrees take 28).
-constexpr double kReach = 3, kFarthest = 28, kSlack = 1.5;
+constexpr double kCreaseReach = 3, kFarthest = 28, kSlack = 1.5;
 // Nanoseconds a triangle for what sorts out slivers.
 constexpr double kSorting = 2000;
 
@@ -117,9 +115,10 @@ class CreaseCutter {
       const ImplicitFunction &i = f_.piece_function(p), &j = f_.piece_function(q);
       const Vec3 between = 0.5 * (p + q);
       const double sine = glm::length(glm::cross(side(i, p).normal, side(j, q).normal));
-      const double reach = length * std::clamp(kSlack / std::max(sine, 1e-9), kReach, kFarthest);
+      const double reach =
+          length * std::clamp(kSlack / std::max(sine, 1e-9), kCreaseReach, kFarthest);
       auto c = find_crease(mesh_, f_, i, j, between, reach);
-      if (c && (glm::distance(c->position, between) <= kReach * length ||
+      if (c && (glm::distance(c->position, between) <= kCreaseReach * length ||
                 same_side(between, c->position))) {
         // Another change behind it: the edge passes by a corner.
         const ImplicitFunction& k = f_.piece_function(b);
@@ -169,12 +168,12 @@ class CreaseCutter {
     }
     const ImplicitFunction* f[3];
     for (std::size_t k = 0; k < 3; ++k) f[k] = &f_.piece_function(mesh_.positions[tri[k]]);
-    const double reach = 2 * std::max(kReach * mesh_.step, spread(around));
+    const double reach = 2 * std::max(kCreaseReach * mesh_.step, spread(around));
     if (const auto c = find_corner(mesh_, f_, *f[0], *f[1], *f[2], middle, reach)) {
       return mesh_.add_crease_vertex(c->position, c->sides);
     }
     // No such corner: the sides run out into one another here.
-    const auto q = onto_surface(f_, middle, kReach * mesh_.step, mesh_.accuracy);
+    const auto q = onto_surface(f_, middle, kCreaseReach * mesh_.step, mesh_.accuracy);
     return mesh_.add_crease_vertex(q.value_or(middle), all);
   }
 
@@ -198,7 +197,7 @@ class CreaseCutter {
       const Vec3 middle =
           (mesh_.positions[tri[0]] + mesh_.positions[tri[1]] + mesh_.positions[tri[2]]) / 3.0;
       const double reach = std::max(
-          kReach * mesh_.step,
+          kCreaseReach * mesh_.step,
           spread({mesh_.positions[tri[0]], mesh_.positions[tri[1]], mesh_.positions[tri[2]]}));
       const auto c = find_corner(mesh_, f_, *pieces[0], *pieces[1], *pieces[2], middle, reach);
       if (!c) continue;

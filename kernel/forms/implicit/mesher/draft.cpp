@@ -9,16 +9,16 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kDraftGrain = 1024;
 constexpr double kSharp = 0.99985;  // cosine of 1 degree between the normals of both sides
 // What the deviation at the middles of edges and triangles may miss.
-constexpr double kMargin = 1.5;
+constexpr double kMissedDeviation = 1.5;
 
 double deviation(const ExactMesh& mesh, const ImplicitFunction& f, const RunContext& context) {
   double most = 0;
   for (const double d : deviations(mesh, f, context)) most = std::max(most, d);
   // Poles and the like: no triangle is farther off than its own size.
-  return std::min(kMargin * most, mesh.step);
+  return std::min(kMissedDeviation * most, mesh.step);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ std::vector<double> deviations(const ExactMesh& mesh, const ImplicitFunction& f,
                                const RunContext& context) {
   std::vector<double> out(mesh.triangles.size(), 0);
   parallel_for(
-      mesh.triangles.size(), kGrain,
+      mesh.triangles.size(), kDraftGrain,
       [&](std::size_t begin, std::size_t end) {
         // The middles of the triangles and of their longest edges, where chords are farthest off.
         const std::size_t n = end - begin;
@@ -106,7 +106,7 @@ ProxyDraft make_draft(const ExactMesh& mesh, const ImplicitFunction& f, const Ru
   draft.corner_normal.resize(corners);
   draft.corner_on_contour.resize(corners);
   parallel_for(
-      mesh.triangles.size(), kGrain,
+      mesh.triangles.size(), kDraftGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
           for (std::size_t k = 0; k < 3; ++k) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
 
 // A cube of cells under way to the blocks, with the part of the function that matters in it.
-struct Cube {
+struct GridCube {
   Cell first{0};
   int side = 0;
   const ImplicitFunction* function = nullptr;
@@ -24,9 +24,9 @@ struct Cube {
 struct Work {
   double all = 0, most = 0;
 };
-Work work_of(const std::vector<Cube>& cubes, double each) {
+Work work_of(const std::vector<GridCube>& cubes, double each) {
   Work w;
-  for (const Cube& c : cubes) {
+  for (const GridCube& c : cubes) {
     const double one = each * c.function->cost();
     w.all += one;
     w.most = std::max(w.most, one);
@@ -34,11 +34,11 @@ Work work_of(const std::vector<Cube>& cubes, double each) {
   return w;
 }
 
-std::vector<Cube> halves(const Cube& c, const Cell& cells) {
-  std::vector<Cube> out;
+std::vector<GridCube> halves(const GridCube& c, const Cell& cells) {
+  std::vector<GridCube> out;
   const int half = c.side / 2;
   for (int k = 0; k < 8; ++k) {
-    Cube part = c;
+    GridCube part = c;
     part.first += half * Cell(k & 1, (k >> 1) & 1, (k >> 2) & 1);
     part.side = half;
     if (part.first.x < cells.x && part.first.y < cells.y && part.first.z < cells.z) {
@@ -83,10 +83,10 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
            const RunContext& context)
     : layout_(layout) {
   const int longest = std::max({layout.cells.x, layout.cells.y, layout.cells.z});
-  Cube root;
+  GridCube root;
   root.function = &function;
   for (root.side = kSide; root.side < longest;) root.side *= 2;
-  std::vector<Cube> cubes{root};
+  std::vector<GridCube> cubes{root};
   // Level by level, so that the work is shared evenly and the order never depends on it.
   for (;;) {
     const Work boxes = work_of(cubes, work::kBox);
@@ -96,7 +96,7 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
         cubes.size(), work::grain(boxes.most, 16),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
-            Cube& c = cubes[i];
+            GridCube& c = cubes[i];
             const Box3 box = layout_.box(c.first, c.first + c.side);
             verdicts[i] = judge(c.function->range(box));
             if (verdicts[i] != Verdict::Unknown) continue;
@@ -107,7 +107,7 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
           }
         },
         &context);
-    std::vector<Cube> kept;
+    std::vector<GridCube> kept;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       any_outside_ |= verdicts[i] == Verdict::Outside;
       if (verdicts[i] == Verdict::Unknown) kept.push_back(std::move(cubes[i]));
@@ -115,9 +115,9 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
     if (kept.size() > kMaxBlocks) throw TooMuchWork();
     cubes = std::move(kept);
     if (cubes.empty() || cubes.front().side == kSide) break;
-    std::vector<Cube> next;
-    for (const Cube& c : cubes) {
-      for (Cube& part : halves(c, layout_.cells)) next.push_back(std::move(part));
+    std::vector<GridCube> next;
+    for (const GridCube& c : cubes) {
+      for (GridCube& part : halves(c, layout_.cells)) next.push_back(std::move(part));
     }
     cubes = std::move(next);
   }

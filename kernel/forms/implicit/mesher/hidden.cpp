@@ -36,7 +36,7 @@ bool steady(Interval slope) { return slope.min >= 0 || slope.max <= 0; }
 
 // A cube of finest cubes, with the part of the function that matters there; from a cell on that of
 // the cell.
-struct Cube {
+struct HiddenCube {
   Cell first{0};
   int side = 0;
   const ImplicitFunction* function = nullptr;
@@ -105,11 +105,11 @@ class Search {
         context_(context) {}
 
   HiddenPlaces run() {
-    Cube root;
+    HiddenCube root;
     root.function = &f_;
     const int longest = std::max({fine_.cells.x, fine_.cells.y, fine_.cells.z});
     for (root.side = kFinest; root.side < longest;) root.side *= 2;
-    std::vector<Cube> cubes{root};
+    std::vector<HiddenCube> cubes{root};
     while (!cubes.empty()) cubes = next(cubes);
     return std::move(found_);
   }
@@ -121,14 +121,14 @@ class Search {
   // What a cube takes at most.
   static constexpr double kExpected = kRange + 5 * kSlope;
 
-  Box3 box_of(const Cube& c) const {
+  Box3 box_of(const HiddenCube& c) const {
     const Box3 b = fine_.box(c.first, c.first + c.side);
     return {glm::max(b.min, within_.min), glm::min(b.max, within_.max)};
   }
-  Cell cell_of(const Cube& c) const { return c.first / kFinest; }
+  Cell cell_of(const HiddenCube& c) const { return c.first / kFinest; }
 
   // What is left of the cubes of one size, divided.
-  std::vector<Cube> next(std::vector<Cube>& cubes) {
+  std::vector<HiddenCube> next(std::vector<HiddenCube>& cubes) {
     const int side = cubes.front().side;
     // Those that are not looked at before the budget ends stay open.
     std::vector<Finding> findings(cubes.size(), Finding::Open);
@@ -139,7 +139,7 @@ class Search {
       leave(cubes, findings);
       return {};
     }
-    std::vector<Cube> parts;
+    std::vector<HiddenCube> parts;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (side > 1 && findings[i] == Finding::Open) divide(cubes[i], parts);
     }
@@ -147,7 +147,7 @@ class Search {
   }
 
   // False where the budget ends.
-  bool examine_all(std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+  bool examine_all(std::vector<HiddenCube>& cubes, std::vector<Finding>& findings) {
     const int side = cubes.front().side;
     if (!in_turn(cubes.size(), [&](std::size_t i) { return look_at(cubes[i], findings[i]); })) {
       return false;
@@ -162,7 +162,7 @@ class Search {
   // Nothing is begun that the budget does not hold: the open cubes in eight parts each. Where
   // dividing rules out nothing of late, as at walls that are thinner than a cell, what that takes
   // down to the cells is foretold, with a margin as long as cubes are large.
-  bool is_hopeless(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
+  bool is_hopeless(const std::vector<HiddenCube>& cubes, const std::vector<Finding>& findings) {
     double operations = 0;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] == Finding::Open) operations += cubes[i].function->cost();
@@ -182,7 +182,7 @@ class Search {
   // Leaves out the open cubes that the known surface passes through, and those beside them, since
   // meshes of thin walls have holes: empty space, where what is missed would be seen best, takes
   // little.
-  void set_aside(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+  void set_aside(const std::vector<HiddenCube>& cubes, std::vector<Finding>& findings) {
     const int side = cubes.front().side;
     constexpr double kVertex = 50;  // nanoseconds
     std::unordered_set<std::uint64_t> passed;
@@ -201,7 +201,7 @@ class Search {
   }
 
   // Where the budget ends, what was found so far counts.
-  void leave(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
+  void leave(const std::vector<HiddenCube>& cubes, const std::vector<Finding>& findings) {
     if (cubes.front().side > kFinest) {
       found_.whole = found_.whole && std::ranges::find(findings, Finding::Open) == findings.end();
       return;
@@ -235,7 +235,7 @@ class Search {
   }
 
   // Returns the nanoseconds that it took, as those that `in_turn` calls do.
-  double look_at(Cube& c, Finding& finding) const {
+  double look_at(HiddenCube& c, Finding& finding) const {
     const Box3 box = box_of(c);
     finding = Finding::Nothing;
     for (int a = 0; a < 3; ++a) {
@@ -255,9 +255,9 @@ class Search {
     return work * cost;
   }
 
-  void divide(const Cube& c, std::vector<Cube>& parts) const {
+  void divide(const HiddenCube& c, std::vector<HiddenCube>& parts) const {
     for (int k = 0; k < 8; ++k) {
-      Cube part = c;
+      HiddenCube part = c;
       part.side = c.side / 2;
       part.first += part.side * Cell(k & 1, (k >> 1) & 1, (k >> 2) & 1);
       const Cell end = fine_.cells;
@@ -269,7 +269,7 @@ class Search {
 
   // Cubes of one sign smaller than a cell, which may be what no sample shows; those that are not
   // asked before the budget ends are open.
-  bool keep_hidden(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+  bool keep_hidden(const std::vector<HiddenCube>& cubes, std::vector<Finding>& findings) {
     std::vector<Answer> answers(cubes.size(), Answer::Undecided);
     const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Same) return 0.0;
@@ -289,7 +289,7 @@ class Search {
 
   // Tells by samples what is in the cubes that are open still; passes over those that the grid
   // explains, and at last those of which nothing can be told.
-  bool settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
+  bool settle(const std::vector<HiddenCube>& cubes, std::vector<Finding>& findings, int side,
               std::size_t open) {
     const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
     std::vector<Answer> answers(cubes.size(), Answer::Undecided);
@@ -311,7 +311,7 @@ class Search {
   }
 
   // What samples of a cube tell.
-  Answer ask(const Cube& c, bool fine) const {
+  Answer ask(const HiddenCube& c, bool fine) const {
     const std::array<Vec3, 9> points = corners_and_middle(box_of(c));
     std::array<double, 9> values;
     c.function->values(points, values);
@@ -328,7 +328,7 @@ class Search {
   }
 
   // Looks for the other sign by Newton's rule, which leads to where f would be zero.
-  void beyond(const Cube& c, Vec3 from, std::optional<Vec3> (&of)[2]) const {
+  void beyond(const HiddenCube& c, Vec3 from, std::optional<Vec3> (&of)[2]) const {
     constexpr int kSteps = 4;
     constexpr double kFarther = 1.5;
     Vec3 p = from;
@@ -347,7 +347,7 @@ class Search {
   }
 
   // Whether a straight way leads to a sample of the grid with the same sign.
-  bool shown(const Cube& c, Vec3 p, bool sign) const {
+  bool shown(const HiddenCube& c, Vec3 p, bool sign) const {
     const Cell cell = cell_of(c);
     const Box3 box = grid_.box(cell, cell + 1);
     const std::array<Vec3, 9> ends = corners_and_middle(box);

@@ -11,10 +11,6 @@
 namespace burin {
 namespace {
 
-// Steps across the smaller pieces, at least.
-constexpr double kStepsAcross = 10;
-// Steps from a point of the surface to the nearest vertex of a mesh that has it there.
-constexpr double kNear = 0.8;
 // Steps of the whole mesh: larger components are not lost whole.
 constexpr double kLarge = 6;
 

@@ -30,7 +30,7 @@ constexpr double kLookBudget = 4e9;
 constexpr double kHiddenShare = 0.1, kPiecesShare = 0.2, kHiddenLeast = 1e8, kPiecesLeast = 5e8;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
-constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
+constexpr double kCoarsest = 64, kFinestSteps = 1000;  // steps along the surface's longest side
 // Triangles a square of one step: crossed cells twice, as surfaces slanted to the grid have 1.5.
 constexpr double kTrianglesPerStep = 3;
 constexpr double kEdgePerStep = 1.25;  // mean length of the longer edges
@@ -47,11 +47,11 @@ ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, do
 }
 
 // Mm; a step across it still keeps a ten-millionth of a mm in double.
-constexpr double kFarthest = 1e9;
+constexpr double kFarthestBounds = 1e9;
 
 bool finite(const Box3& b) {
   for (int a = 0; a < 3; ++a) {
-    if (!(std::abs(b.min[a]) < kFarthest) || !(std::abs(b.max[a]) < kFarthest) ||
+    if (!(std::abs(b.min[a]) < kFarthestBounds) || !(std::abs(b.max[a]) < kFarthestBounds) ||
         !(b.min[a] < b.max[a])) {
       return false;
     }
@@ -259,7 +259,7 @@ Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box
   if (!finite(at)) {
     throw GeometryError(fmt::format(
         "the domain {} is empty, endless or reaches farther than {:g} mm from the origin",
-        shown(at), kFarthest));
+        shown(at), kFarthestBounds));
   }
   const auto look_in = [&](double steps) {
     return look(function, at, given, smallest, steps, context);
@@ -305,7 +305,7 @@ double choose_step(const Survey& survey, double tolerance, std::size_t max_trian
   double step = std::min(wanted, size / kCoarsest);
   const double least =
       std::max(std::sqrt(kTrianglesPerStep * survey.area / static_cast<double>(max_triangles)),
-               size / kFinest);
+               size / kFinestSteps);
   if (step < least) {
     step = std::min(least, size / kCoarsest);
     diagnostics.add(

@@ -16,7 +16,7 @@ namespace burin {
 namespace {
 
 // Steps around a piece's box.
-constexpr double kMargin = 1.5;
+constexpr double kPieceMargin = 1.5;
 // Nanoseconds to sort a corner of the nets into its component.
 constexpr double kCorner = 300;
 
@@ -135,7 +135,7 @@ std::optional<ExactMesh> mesh_piece(const Survey& survey, const Component& piece
   constexpr int kEnlargements = 3;
   constexpr double kMostAcross = 60;  // steps
   constexpr double kOneShare = 0.2;   // of the budget
-  Box3 around = grown(piece.box, kMargin * step);
+  Box3 around = grown(piece.box, kPieceMargin * step);
   double own = step, next = 0;
   for (int i = 0; i <= kEnlargements && next <= kOneShare * budget.left(); ++i) {
     const double begun = budget.left();

@@ -8,6 +8,11 @@
 
 namespace burin {
 
+/// Steps from a point of the surface to the nearest vertex of a mesh that has it there.
+constexpr double kNear = 0.8;
+/// Steps across the smaller pieces, at least.
+constexpr double kStepsAcross = 10;
+
 /// The closed components of a surface that lie wholly in a box, in triangles of about `step` model
 /// mm. Throws TooMuchWork where the budget does not hold them.
 std::vector<ExactMesh> components_in(const Survey& survey, const Box3& box, double step,

@@ -13,11 +13,6 @@
 namespace burin {
 namespace {
 
-// Steps from a point of the surface to the nearest vertex of a mesh that has it there.
-constexpr double kNear = 0.8;
-// Steps across the smaller pieces, at least.
-constexpr double kStepsAcross = 10;
-
 // What the places of one look are, one cluster after the other.
 class Finder {
  public:

@@ -15,18 +15,15 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kVertexGrain = 1024;
 // Steps of the grid that Newton may move a vertex. Beside sharp edges it would go from piece to
 // piece and away.
-constexpr double kReach = 0.8;
+constexpr double kNewtonReach = 0.8;
 // Pieces in a cell that are looked at: more than meet at a corner are noise.
 constexpr std::size_t kMostPieces = 5;
 // Nanoseconds an operation of the function for a vertex that Newton does not place: some ten values
 // on each of four edges, and the creases between the pieces there.
 constexpr double kPlacing = 400;
-// Neighbours whose normals differ by more (cosine of 2 degrees) and whose pieces differ may have a
-// crease between them.
-constexpr double kSmooth = 0.99939;
 
 // Newton for a range of vertices at once; those that fail are left for `bisect`.
 void newton(const ImplicitFunction& f, std::span<Vec3> positions, std::span<Vec3> normals,
@@ -89,7 +86,7 @@ class Projector {
     mesh_.budget.spend(static_cast<double>(n), each);
     state_.assign(n, Good);
     parallel_for(
-        n, work::grain(each, kGrain),
+        n, work::grain(each, kVertexGrain),
         [&](std::size_t begin, std::size_t end) { project(begin, end); }, &context_);
     mark();
     // A vertex that turns out to lie on another piece makes its neighbours doubtful.
@@ -125,7 +122,7 @@ class Projector {
   void project(std::size_t begin, std::size_t end) {
     std::vector<std::uint8_t> done;
     newton(f_, std::span(mesh_.positions).subspan(begin, end - begin),
-           std::span(mesh_.normals).subspan(begin, end - begin), kReach * layout_.step,
+           std::span(mesh_.normals).subspan(begin, end - begin), kNewtonReach * layout_.step,
            mesh_.accuracy, done);
     for (std::size_t i = begin; i < end; ++i) {
       if (!done[i - begin]) state_[i] = Lost;

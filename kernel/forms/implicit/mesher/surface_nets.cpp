@@ -10,7 +10,7 @@ namespace burin {
 namespace {
 
 constexpr int kSide = Grid::kSide;
-constexpr int kCells = kSide * kSide * kSide;
+constexpr int kCellsOfBlock = kSide * kSide * kSide;
 constexpr std::uint8_t kNone = 255;
 
 // Edge of a cell: along `axis`, at place (b, c) of the two axes that follow.
@@ -98,8 +98,8 @@ Cell axis_cell(int axis) {
 }
 
 struct BlockCells {
-  std::array<std::uint8_t, kCells> signs;    // 0 and 255: no surface
-  std::array<std::uint32_t, kCells> vertex;  // of the cell's first sheet
+  std::array<std::uint8_t, kCellsOfBlock> signs;    // 0 and 255: no surface
+  std::array<std::uint32_t, kCellsOfBlock> vertex;  // of the cell's first sheet
   std::uint32_t count = 0;
 };
 
@@ -143,7 +143,7 @@ class NetMaker {
   void find_signs(std::size_t b) {
     const Grid::Block& block = grid_.blocks()[b];
     BlockCells& out = cells_[b];
-    for (int i = 0; i < kCells; ++i) {
+    for (int i = 0; i < kCellsOfBlock; ++i) {
       const Cell c = local(i);
       int signs = 0;
       for (int k = 0; k < 8; ++k) {
@@ -157,7 +157,7 @@ class NetMaker {
   void number_vertices() {
     std::uint32_t next = 0;
     for (BlockCells& b : cells_) {
-      for (std::size_t i = 0; i < kCells; ++i) {
+      for (std::size_t i = 0; i < kCellsOfBlock; ++i) {
         b.vertex[i] = next;
         next += cases()[b.signs[i]].sheets;
       }
@@ -172,7 +172,7 @@ class NetMaker {
         cells_.size(), 64,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t b = begin; b < end; ++b) {
-            for (int i = 0; i < kCells; ++i) {
+            for (int i = 0; i < kCellsOfBlock; ++i) {
               if (cells_[b].count > 0) place_vertices(b, i);
             }
           }
@@ -243,7 +243,7 @@ class NetMaker {
 
   void find_extras() {
     for (std::size_t b = 0; b < cells_.size(); ++b) {
-      for (int i = 0; i < kCells; ++i) {
+      for (int i = 0; i < kCellsOfBlock; ++i) {
         const CellCase& c = cases()[cells_[b].signs[static_cast<std::size_t>(i)]];
         for (int axis = 0; axis < 3; ++axis) {
           if (c.ambiguous & (1 << (2 * axis + 1))) find_extras(b, i, axis, c);
@@ -302,7 +302,7 @@ class NetMaker {
         [&](std::size_t begin, std::size_t end) {
           Part& part = parts[begin / kGrain];
           for (std::size_t b = begin; b < end; ++b) {
-            for (int i = 0; i < kCells; ++i) {
+            for (int i = 0; i < kCellsOfBlock; ++i) {
               const std::uint8_t signs = cells_[b].signs[static_cast<std::size_t>(i)];
               if (signs == 0 || signs == 255) continue;
               for (int axis = 0; axis < 3; ++axis) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kTurned = 0.7;
 // Steps that a tip may lie away from the vertices around it, and share of one that their tangent
 // planes may miss it.
-constexpr double kReach = 12, kMiss = 0.02;
+constexpr double kTipReach = 12, kMiss = 0.02;
 // More of them mean a rough surface.
 constexpr std::size_t kMostVertices = 4000, kMostTips = 100;
 
@@ -65,7 +65,7 @@ std::optional<Vec3> common_point(const ExactMesh& mesh, std::uint32_t v, const R
   const double det = glm::determinant(a);
   if (!(std::abs(det) > 1e-3)) return std::nullopt;  // planes in a row: an edge, a tight bend
   const Vec3 x = glm::inverse(a) * b;
-  if (!(glm::length(x) < kReach * mesh.step)) return std::nullopt;
+  if (!(glm::length(x) < kTipReach * mesh.step)) return std::nullopt;
   for (const std::uint32_t w : ring) {
     if (mesh.pieces[w] != mesh.pieces[v] || mesh.on_crease(w)) continue;
     const double miss = glm::dot(mesh.normals[w], o + x - mesh.positions[w]);

@@ -21,8 +21,6 @@ constexpr double kMostTurned = 0.98007;
 // Steps of one march, and for each edge length of the triangles that it goes: into a cusp or round
 // and round on what is far finer than they are it ends with NotConverged.
 constexpr double kFirstSteps = 64, kStepsPerEdge = 128;
-// Cosine of 2 degrees: pieces that differ by less meet smoothly.
-constexpr double kSmooth = 0.99939;
 
 // How much normals turn a mm, at the most.
 double turning(const Gradient2& g, double slope) {

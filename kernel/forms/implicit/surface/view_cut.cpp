@@ -14,7 +14,6 @@
 namespace burin {
 namespace {
 
-constexpr double kSmooth = 0.99939;  // cosine of 2 degrees, as for creases
 constexpr int kPasses = 4;
 constexpr int kHalvings = 3;
 constexpr double kSnap = 0.2;  // steps of the grid

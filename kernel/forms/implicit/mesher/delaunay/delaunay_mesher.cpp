@@ -21,7 +21,7 @@ namespace burin {
 namespace {
 
 // Times the vertices allowed, and times those expected: beyond that it does not end by itself.
-constexpr double kMargin = 1.5, kSurplus = 3;
+constexpr double kBoundsMargin = 1.5, kSurplus = 3;
 // Seeds nearer to one another than this share of the radius would make the triangles smaller than
 // they need be.
 constexpr double kSeedGap = 1.1;
@@ -338,9 +338,9 @@ std::optional<ExactMesh> mesh_delaunay(const Survey& survey, double tolerance,
   }
   input.distance = sizing.tolerance();
   input.least_edge = 0.05 * sizing.least();
-  input.most_vertices =
-      static_cast<std::size_t>(std::min(kMargin * most, kSurplus * sizing.expected_vertices())) +
-      1000;
+  input.most_vertices = static_cast<std::size_t>(
+                            std::min(kBoundsMargin * most, kSurplus * sizing.expected_vertices())) +
+                        1000;
   FunctionField field(*survey.function, input.box, sizing, input.most_vertices, context);
   const auto failed = [&](const std::string& why) {
     diagnostics.add(

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-constexpr double kCells = 48;             // along the longest side
+constexpr double kCellsAcross = 48;       // along the longest side
 constexpr std::size_t kKnown = 1u << 16;  // entries of the cache
 // Share of the size that crossings may be off; Newton takes them onto the surface afterwards.
 constexpr double kAccuracy = 1e-8;
@@ -28,7 +28,7 @@ FunctionField::FunctionField(const ImplicitFunction& f, const Box3& box, const S
     : f_(f), box_(box), sizing_(sizing), context_(context), known_(kKnown) {
   const Vec3 s = box.size();
   size_ = std::max({s.x, s.y, s.z});
-  step_ = size_ / kCells;
+  step_ = size_ / kCellsAcross;
   count_ = glm::ivec3(glm::floor(s / step_)) + 1;
   cells_.resize(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) *
                 static_cast<std::size_t>(count_.z));

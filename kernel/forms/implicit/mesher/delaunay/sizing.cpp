@@ -23,7 +23,7 @@ constexpr double kOfThickness = 0.5;
 // What is thinner than this share of the distance to the next crease is a wall, else the wedge
 // beside the crease, whose faces the crease's own vertices keep apart.
 constexpr double kThin = 0.3;
-constexpr std::size_t kGrain = 512;
+constexpr std::size_t kSizingGrain = 512;
 // Vertices in the area of a squared radius, as measured on what refinement gives.
 constexpr double kDensity = 0.62;
 
@@ -67,7 +67,7 @@ void Sizing::by_curvature(const ImplicitFunction& f, const CreaseChains& chains,
     if (std::isfinite(k)) curvature[v] = std::max(curvature[v], k);
   };
   parallel_for(
-      curvature.size(), kGrain,
+      curvature.size(), kSizingGrain,
       [&](std::size_t begin, std::size_t end) {
         std::vector<Gradient2> g(end - begin);
         f.hessians(std::span(mesh_.positions).subspan(begin, end - begin), g);
@@ -118,7 +118,7 @@ void Sizing::by_thickness(const ImplicitFunction& f, const RunContext& context) 
   constexpr double kFar = 2;  // times the radius: farther walls do not matter
   const std::vector<double> to_crease = crease_distances();
   parallel_for(
-      radius_.size(), kGrain,
+      radius_.size(), kSizingGrain,
       [&](std::size_t begin, std::size_t end) {
         // All at once: a single call costs as much as a hundred points.
         std::vector<std::uint32_t> asked;

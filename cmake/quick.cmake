@@ -1,10 +1,47 @@
+# What makes the build quick: precompiled headers, and units of several sources. A source still stands alone: clang-tidy and the
+# sanitizers' builds compile each on its own.
+
+# burin_all_targets(FOLDER FOUND): the targets of a folder and of those below it.
+function(burin_all_targets folder found)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(below IN LISTS folders)
+    burin_all_targets(${below} more)
+    list(APPEND targets ${more})
+  endforeach()
+  set(${found} "${targets}" PARENT_SCOPE)
+endfunction()
+burin_all_targets(${PROJECT_SOURCE_DIR}/kernel targets)
+burin_all_targets(${PROJECT_SOURCE_DIR}/converters more)
+list(APPEND targets ${more})
+
+# Most of the time goes into headers that sources share, so eight of them compile as one unit. Names in the anonymous namespaces
+# of a module must differ, therefore; what stands inside a function may be called like something of another source, which
+# -Wshadow would take for a mistake. CGAL's units take a gigabyte and more each.
+if(BURIN_JOIN)
+  # Of the tests those that were built so; in others names of two sources may meet.
+  set(tests test_cli test_converters_cad test_converters_mesh test_converters_write test_feature)
+  foreach(target IN LISTS targets tests)
+    if(NOT TARGET ${target})
+      continue()
+    endif()
+    get_target_property(type ${target} TYPE)
+    get_target_property(pool ${target} JOB_POOL_COMPILE)
+    if(type MATCHES "^(OBJECT|STATIC|SHARED|MODULE)_LIBRARY$|^EXECUTABLE$" AND NOT pool)
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+      target_compile_options(${target} PRIVATE -Wno-shadow)
+    endif()
+  endforeach()
+endif()
+
+if(NOT BURIN_PRECOMPILE)
+  return()
+endif()
+
 # The headers that most sources include are compiled once: std and GLM, with fmt for targets that link it. GCC uses them
 # only if macros and flags are the same, so libraries and programs have their own. A source still includes what it uses:
 # clang-tidy and the sanitizers' builds compile without this. <filesystem> is left out: its std::quoted would hide
 # functions of that name. Tests are left out: GCC 12 warns there falsely, depending on the length of the sources' path.
-if(NOT BURIN_PRECOMPILE)
-  return()
-endif()
 
 set(headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory> <numbers>
   <optional> <set> <span> <string> <string_view> <tuple> <unordered_map> <utility> <vector> <glm/glm.hpp>)
@@ -45,20 +82,11 @@ function(burin_precompiled_kind target kind)
   set(${kind} "${found}" PARENT_SCOPE)
 endfunction()
 
-function(burin_precompile_below folder)
-  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-  foreach(target IN LISTS targets)
-    burin_precompiled_kind(${target} kind)
-    if(kind)
-      target_precompile_headers(${target} REUSE_FROM burin_precompiled_${kind})
-      # GCC 12 warns of what std::string does inside itself, where its header is precompiled.
-      target_compile_options(${target} PRIVATE -Wno-array-bounds)
-    endif()
-  endforeach()
-  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
-  foreach(below IN LISTS folders)
-    burin_precompile_below(${below})
-  endforeach()
-endfunction()
-burin_precompile_below(${PROJECT_SOURCE_DIR}/kernel)
-burin_precompile_below(${PROJECT_SOURCE_DIR}/converters)
+foreach(target IN LISTS targets)
+  burin_precompiled_kind(${target} kind)
+  if(kind)
+    target_precompile_headers(${target} REUSE_FROM burin_precompiled_${kind})
+    # GCC 12 warns of what std::string does inside itself, where its header is precompiled.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds)
+  endif()
+endforeach()
