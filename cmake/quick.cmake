@@ -19,8 +19,7 @@ list(APPEND targets ${more})
 # of a module must differ, therefore; what stands inside a function may be called like something of another source, which
 # -Wshadow would take for a mistake. CGAL's units take a gigabyte and more each.
 if(BURIN_JOIN)
-  # Of the tests those that were built so; in others names of two sources may meet.
-  set(tests test_cli test_converters_cad test_converters_mesh test_converters_write test_feature)
+  burin_all_targets(${PROJECT_SOURCE_DIR}/tests tests)
   foreach(target IN LISTS targets tests)
     if(NOT TARGET ${target})
       continue()
