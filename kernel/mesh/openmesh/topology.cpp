@@ -2,8 +2,8 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/topology.h>
 
-#include "build_steps.h"
-#include "flood.h"
+#include "../build_steps.h"
+#include "../flood.h"
 #include "openmesh_glm.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include <burin/base/parallel.h>
 #include <burin/base/smoothstep.h>
 
-#include "build_steps.h"
-#include "patches.h"
+#include "../build_steps.h"
+#include "../patches.h"
 #include "quadric_fit.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <burin/base/smoothstep.h>
 #include <burin/mesh/curvature.h>
 
-#include "build_steps.h"
+#include "../build_steps.h"
 #include "face_tensors.h"
 #include "tensor_smoothing.h"
 
@@ -162,9 +162,11 @@ Curvature principal(const Tensor& t, const TangentFrame& frame, double confidenc
 
 std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context) {
-  const Corners corners = corners_at(proxy.mesh.triangles, proxy.mesh.positions.size());
-  const WedgeLinks links = wedge_links(proxy, corners, context);
-  AdaptiveSmoothing smoothing(proxy, links, wedge_tensors(proxy, corners, context), context);
+  const RingMesh rings(proxy.mesh, proxy.topology.opposite, context);
+  const Groups<RingHandle> of_wedge = wedge_rings(rings, proxy, context);
+  const WedgeLinks links = wedge_links(rings, of_wedge, proxy, context);
+  AdaptiveSmoothing smoothing(proxy, links, wedge_tensors(rings, of_wedge, proxy, context),
+                              context);
   if (options.smoothing < 0) {
     smoothing.run();
   } else {
