@@ -15,28 +15,64 @@ bool is_first(const std::vector<HalfEdge>& opposite, std::size_t h) {
   return opposite[h] == kNoHalfEdge || static_cast<HalfEdge>(h) < opposite[h];
 }
 
-/// Fills the ring of a wedge from its first half-edge on: around the vertex as far as the next
-/// creases. What a fan has of other wedges is left out: at the tip of a cone it has several.
-void walk_wedge(const RingMesh& rings, const ProxyMesh& proxy, std::span<RingHandle> ring) {
-  const RingHandle first = ring[0];
-  const std::uint32_t wedge = wedge_of(proxy, rings.corner(first));
-  const auto smooth = [&](RingHandle h) {
-    return proxy.edge_kind[static_cast<std::size_t>(rings.corner(h))] == EdgeKind::Smooth;
-  };
-  std::size_t count = 0;
-  const auto take = [&](RingHandle h) {
-    if (wedge_of(proxy, rings.corner(h)) == wedge) ring[count++] = h;
-  };
-  RingHandle h = first;
-  do {
-    take(h);
-    if (!smooth(rings.prev_halfedge_handle(h))) break;
-    h = rings.ccw_rotated_halfedge_handle(h);
-  } while (h != first);
-  const bool all_round = smooth(rings.prev_halfedge_handle(h));
-  for (h = first; !all_round && smooth(h); take(h)) h = rings.cw_rotated_halfedge_handle(h);
-  std::ranges::sort(ring, {}, [&](RingHandle one) { return rings.corner(one); });
+/// The OpenMesh handle of each flat half-edge: edges in order of their first half-edges, which is
+/// the one inside at a boundary.
+std::vector<RingHandle> pair_edges(const std::vector<HalfEdge>& opposite) {
+  std::vector<RingHandle> handles(opposite.size());
+  int next = 0;
+  for (std::size_t h = 0; h < opposite.size(); ++h) {
+    if (!is_first(opposite, h)) continue;
+    const OpenMesh::EdgeHandle edge(next++);
+    handles[h] = RingMesh::s_halfedge_handle(edge, 0);
+    if (opposite[h] != kNoHalfEdge) {
+      handles[static_cast<std::size_t>(opposite[h])] = RingMesh::s_halfedge_handle(edge, 1);
+    }
+  }
+  return handles;
 }
+
+/// Finds the ring of one wedge after another; keeps its buffer between them.
+class WedgeWalk {
+ public:
+  WedgeWalk(const RingMesh& rings, const ProxyMesh& proxy) : rings_(rings), proxy_(proxy) {}
+
+  /// Fills the ring from its first half-edge on: around the vertex as far as the next creases.
+  void fill(std::span<RingHandle> ring) {
+    const RingHandle first = ring[0];
+    wedge_ = wedge_of(proxy_, rings_.corner(first));
+    found_.clear();
+    RingHandle h = first;
+    do {
+      take(h);
+      if (!smooth(rings_.prev_halfedge_handle(h))) break;
+      h = rings_.ccw_rotated_halfedge_handle(h);
+    } while (h != first);
+    const bool all_round = smooth(rings_.prev_halfedge_handle(h));
+    for (h = first; !all_round && smooth(h); take(h)) h = rings_.cw_rotated_halfedge_handle(h);
+    std::ranges::sort(found_, {}, &Found::corner);
+    std::ranges::transform(found_, ring.begin(), &Found::h);
+  }
+
+ private:
+  struct Found {
+    HalfEdge corner;
+    RingHandle h;
+  };
+
+  bool smooth(RingHandle h) const {
+    return proxy_.edge_kind[static_cast<std::size_t>(rings_.corner(h))] == EdgeKind::Smooth;
+  }
+  /// Leaves out what a fan has of other wedges: at the tip of a cone it has several.
+  void take(RingHandle h) {
+    const HalfEdge corner = rings_.corner(h);
+    if (wedge_of(proxy_, corner) == wedge_) found_.push_back({corner, h});
+  }
+
+  const RingMesh& rings_;
+  const ProxyMesh& proxy_;
+  std::uint32_t wedge_ = 0;
+  std::vector<Found> found_;
+};
 
 }  // namespace
 
@@ -45,33 +81,22 @@ void walk_wedge(const RingMesh& rings, const ProxyMesh& proxy, std::span<RingHan
 RingMesh::RingMesh(const TriMesh& mesh, const std::vector<HalfEdge>& opposite,
                    const RunContext& context) {
   const auto boundary = static_cast<std::size_t>(std::ranges::count(opposite, kNoHalfEdge));
-  add_property(corner_);
-  resize(mesh.positions.size(), (opposite.size() + boundary) / 2, mesh.triangles.size());
-  add_points(mesh);
-  connect(mesh, opposite, pair_edges(opposite), context);
-  enter_vertices();
+  std::vector<RingHandle> handles;
+  parallel_invoke(
+      [&] {
+        add_property(corner_);
+        resize(mesh.positions.size(), (opposite.size() + boundary) / 2, mesh.triangles.size());
+        add_points(mesh);
+      },
+      [&] { handles = pair_edges(opposite); });
+  parallel_invoke([&] { connect(mesh, opposite, handles, context); },
+                  [&] { enter_vertices(mesh, opposite, handles); });
 }
 
 void RingMesh::add_points(const TriMesh& mesh) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     set_point(OpenMesh::VertexHandle(static_cast<int>(v)), mesh.positions[v]);
   }
-}
-
-/// The OpenMesh handle of each flat half-edge: edges in order of their first half-edges, which is
-/// the one inside at a boundary.
-std::vector<RingHandle> RingMesh::pair_edges(const std::vector<HalfEdge>& opposite) {
-  std::vector<RingHandle> handles(opposite.size());
-  int next = 0;
-  for (std::size_t h = 0; h < opposite.size(); ++h) {
-    if (!is_first(opposite, h)) continue;
-    const OpenMesh::EdgeHandle edge(next++);
-    handles[h] = halfedge_handle(edge, 0);
-    if (opposite[h] != kNoHalfEdge) {
-      handles[static_cast<std::size_t>(opposite[h])] = halfedge_handle(edge, 1);
-    }
-  }
-  return handles;
 }
 
 void RingMesh::connect(const TriMesh& mesh, const std::vector<HalfEdge>& opposite,
@@ -112,11 +137,15 @@ void RingMesh::connect(const TriMesh& mesh, const std::vector<HalfEdge>& opposit
 }
 
 /// Gives each vertex a half-edge to walk from: at a boundary the one outside, as OpenMesh wants.
-void RingMesh::enter_vertices() {
-  for (std::size_t i = 0; i < n_halfedges(); ++i) {
-    const RingHandle h(static_cast<int>(i));
-    const OpenMesh::VertexHandle v = from_vertex_handle(h);
-    if (is_isolated(v) || is_boundary(h)) set_halfedge_handle(v, h);
+void RingMesh::enter_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& opposite,
+                              const std::vector<RingHandle>& handles) {
+  const auto enter = [&](HalfEdge at, RingHandle h) {
+    set_halfedge_handle(OpenMesh::VertexHandle(static_cast<int>(origin(mesh, at))), h);
+  };
+  for (std::size_t h = 0; h < handles.size(); ++h) enter(static_cast<HalfEdge>(h), handles[h]);
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (opposite[h] != kNoHalfEdge) continue;
+    enter(next_in_face(static_cast<HalfEdge>(h)), opposite_halfedge_handle(handles[h]));
   }
 }
 
@@ -129,18 +158,20 @@ Groups<RingHandle> wedge_rings(const RingMesh& rings, const ProxyMesh& proxy,
   }
   for (std::size_t w = 1; w < out.first.size(); ++w) out.first[w] += out.first[w - 1];
   out.list.resize(out.first.back());
-  for (const auto face : rings.faces()) {
-    for (const auto h : rings.fh_range(face)) {
-      RingHandle& entry = out.list[out.first[wedge_of(proxy, rings.corner(h))]];
-      if (!entry.is_valid()) entry = h;
+  for (std::size_t f = 0; f < proxy.wedges.size(); ++f) {
+    RingHandle h = rings.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(f)));
+    for (const std::uint32_t w : proxy.wedges[f]) {
+      out.list[out.first[w]] = h;
+      h = rings.next_halfedge_handle(h);
     }
   }
   parallel_for(
       proxy.wedge_vertex.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
+        WedgeWalk walk(rings, proxy);
         for (std::size_t w = begin; w < end; ++w) {
           const std::span ring(out.list.data() + out.first[w], out.list.data() + out.first[w + 1]);
-          if (!ring.empty()) walk_wedge(rings, proxy, ring);
+          if (!ring.empty()) walk.fill(ring);
         }
       },
       &context);

@@ -25,11 +25,11 @@ class RingMesh final : public OpenMeshTriMesh {
   const Vec3& to(RingHandle h) const { return point(to_vertex_handle(h)); }
 
  private:
-  std::vector<RingHandle> pair_edges(const std::vector<HalfEdge>& opposite);
   void add_points(const TriMesh& mesh);
   void connect(const TriMesh& mesh, const std::vector<HalfEdge>& opposite,
                const std::vector<RingHandle>& handles, const RunContext& context);
-  void enter_vertices();
+  void enter_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& opposite,
+                      const std::vector<RingHandle>& handles);
 
   OpenMesh::HPropHandleT<HalfEdge> corner_;
 };
