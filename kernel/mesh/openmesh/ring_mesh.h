@@ -12,8 +12,7 @@ using RingHandle = OpenMesh::HalfedgeHandle;
 
 /// The OpenMesh of a whole mesh: vertices and faces are numbered as there, and a face begins with
 /// the half-edge of its corner 0. A property of the half-edges leads from each to its number in the
-/// flat arrays of ProxyMesh. Cost: 78
-/// bytes a triangle, and 12 more while it is made.
+/// flat arrays of ProxyMesh. Cost: 78 bytes a triangle, and 12 more while it is made.
 class RingMesh final : public OpenMeshTriMesh {
  public:
   /// `opposite` as find_opposites returns it.
