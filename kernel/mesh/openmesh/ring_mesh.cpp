@@ -105,7 +105,7 @@ void RingMesh::connect(const TriMesh& mesh, const std::vector<HalfEdge>& opposit
   const auto vertex = [&](HalfEdge h) {
     return OpenMesh::VertexHandle(static_cast<int>(origin(mesh, h)));
   };
-  /// The half-edge after the one outside the boundary edge `h`: outside the last edge of the fan.
+  // The half-edge after the one outside the boundary edge `h`: outside the last edge of the fan.
   const auto next_outside = [&](HalfEdge h) {
     HalfEdge in = prev_in_face(h);
     while (opposite[static_cast<std::size_t>(in)] != kNoHalfEdge) {
