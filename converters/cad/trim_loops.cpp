@@ -1,8 +1,8 @@
 #include "trim_loops.h"
 
 #include <burin/base/error.h>
-#include <burin/base/even_odd.h>
 #include <burin/base/nearest_along.h>
+#include <burin/planar/even_odd.h>
 
 #include "closed_loop.h"
 

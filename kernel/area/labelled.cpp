@@ -33,7 +33,7 @@ using Corners = std::array<Vec2, 3>;
 /// Corners and middles of sides in turn.
 using Round = std::array<Vec2, 6>;
 
-Corners corners_of(const SheetMesh& mesh, std::size_t t) {
+Corners corners_of(const PlanarMesh& mesh, std::size_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
 }
@@ -342,14 +342,14 @@ class Labeller {
   const LabelAt& label_at_;
   const PartitionOptions& options_;
   const RunContext& context_;
-  SheetTriangulation triangulation_;
-  SheetMesh mesh_;
+  GrowingTriangulation triangulation_;
+  PlanarMesh mesh_;
   std::vector<Found> found_;
 };
 
 }  // namespace
 
-double area_of(const SheetMesh& mesh, std::size_t t) {
+double area_of(const PlanarMesh& mesh, std::size_t t) {
   const Corners c = corners_of(mesh, t);
   const Vec2 u = c[1] - c[0], v = c[2] - c[0];
   return 0.5 * (u.x * v.y - u.y * v.x);

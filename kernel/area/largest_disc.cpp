@@ -1,7 +1,7 @@
 #include <burin/area/largest_disc.h>
 #include <burin/base/box.h>
-#include <burin/base/even_odd.h>
 #include <burin/base/nearest_along.h>
+#include <burin/planar/even_odd.h>
 
 #include <algorithm>
 #include <cmath>

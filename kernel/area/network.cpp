@@ -1,7 +1,7 @@
 #include "network.h"
 
 #include <burin/base/nearest_along.h>
-#include <burin/base/segment_in_box.h>
+#include <burin/planar/segment_in_box.h>
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>

@@ -16,7 +16,6 @@ namespace burin {
 namespace {
 
 using detail::LabelledMesh;
-using detail::SheetMesh;
 
 /// Times that narrow regions go to a neighbour: what is left has no neighbour wide enough.
 constexpr int kMostCleaned = 6;
@@ -40,11 +39,11 @@ std::vector<std::uint32_t> pieces_of(const LabelledMesh& labelled) {
 }
 
 /// Side `i` of a triangle, counterclockwise.
-std::array<std::uint32_t, 2> side(const SheetMesh& mesh, std::size_t t, std::size_t i) {
+std::array<std::uint32_t, 2> side(const PlanarMesh& mesh, std::size_t t, std::size_t i) {
   return {mesh.triangles[t][(i + 1) % 3], mesh.triangles[t][(i + 2) % 3]};
 }
 
-double length(const SheetMesh& mesh, std::size_t t, std::size_t i) {
+double length(const PlanarMesh& mesh, std::size_t t, std::size_t i) {
   const auto [a, b] = side(mesh, t, i);
   return glm::distance(mesh.points[a], mesh.points[b]);
 }
@@ -145,7 +144,7 @@ class Cleaner {
     return largest_disc(sides, {}, {.precision = 0.02 * least, .enough = enough}).radius < enough;
   }
 
-  const SheetMesh& mesh_;
+  const PlanarMesh& mesh_;
   const std::vector<AreaLabel>& labels_;
   const PartitionOptions& options_;
   std::vector<std::uint32_t> pieces_;
@@ -231,7 +230,7 @@ class RingWalk {
     return sum > 0;
   }
 
-  const SheetMesh& mesh_;
+  const PlanarMesh& mesh_;
   std::vector<std::uint32_t> pieces_;
   const detail::NearSegments* near_;
   double reach_;

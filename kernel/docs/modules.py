@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Parts of a module that are targets of their own, because a library's headers are theirs alone.
-PARTS = ("_exact", "_refine", "_occt")
+PARTS = ("_exact", "_refine", "_occt", "_openmesh")
 LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Eigen3::Eigen": "Eigen", "Boost::headers": "Boost", "TBB::tbb": "TBB",
              "glm::glm": "GLM", "nlohmann_json::nlohmann_json": "JSON", "pugixml::pugixml": "pugixml", "ZLIB::ZLIB": "zlib",
              "libzip.so": "libzip", "PkgConfig::CAIRO": "cairo", "TinyGLTF::TinyGLTF": "tinygltf", "CLI11::CLI11": "CLI11", "pybind11::module": "pybind11"}

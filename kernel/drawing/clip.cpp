@@ -1,5 +1,5 @@
-#include <burin/base/segment_in_box.h>
 #include <burin/drawing/clip.h>
+#include <burin/planar/segment_in_box.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #pragma once
-/// The steps of build_proxy, each of which fills some arrays of the ProxyMesh from those before it.
+/// The steps of build_proxy, each of which fills some arrays of the ProxyMesh from those before it
+/// (those that walk on the OpenMesh: openmesh/ring_steps.h).
 
 #include <burin/mesh/corners.h>
 #include <burin/mesh/proxy_mesh.h>
@@ -30,10 +31,6 @@ std::vector<Vec3> face_normals(const TriMesh& mesh, const RunContext& context);
 void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vector<Vec3>& normals,
                          const RunContext& context);
 
-/// Fills edge_kind, from the normals of the triangles.
-void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
-                    const RunContext& context);
-
 /// Convex or concave, of an edge that bends.
 EdgeKind crease_kind(const ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdge h);
 
@@ -56,10 +53,6 @@ void find_regions(ProxyMesh& proxy);
 /// Fills wedges and wedge_vertex from edge_kind. The wedges of a vertex have consecutive indices,
 /// in the order of the vertices; where no vertex has two they are the vertices.
 void find_wedges(ProxyMesh& proxy, const Corners& corners, const RunContext& context);
-
-/// Fills wedge_normal.
-void find_wedge_normals(ProxyMesh& proxy, const Corners& corners,
-                        const std::vector<Vec3>& face_normals, const RunContext& context);
 
 /// Gives each flat face a wedge of its own where the triangles of a wedge lean as those at the tip
 /// of a cone do, which has no normal (tips.h). `crease_angle` in radians. Cost: a pass over the

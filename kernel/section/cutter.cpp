@@ -1,8 +1,7 @@
 #include "cutter.h"
 
 #include <burin/base/box.h>
-
-#include "cap/triangulate.h"
+#include <burin/planar/triangulate.h>
 
 #include <algorithm>
 #include <array>

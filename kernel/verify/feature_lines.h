@@ -1,8 +1,8 @@
 #pragma once
 // The lines of a drawing that are no strokes, as polylines; internal to the module.
 
-#include <burin/base/near_lines.h>
 #include <burin/drawing/drawing.h>
+#include <burin/planar/near_lines.h>
 
 namespace burin {
 

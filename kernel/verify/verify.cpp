@@ -1,5 +1,5 @@
-#include <burin/base/near_lines.h>
 #include <burin/base/parallel.h>
+#include <burin/planar/near_lines.h>
 #include <burin/verify/referee.h>
 #include <burin/verify/verify.h>
 #include <burin/verify/wrong_areas.h>

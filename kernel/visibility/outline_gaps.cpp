@@ -1,4 +1,4 @@
-#include <burin/base/near_lines.h>
+#include <burin/planar/near_lines.h>
 #include <burin/visibility/outline_gaps.h>
 
 #include "probe.h"

@@ -6,7 +6,7 @@
 #include <burin/mesh/corners.h>
 
 #include "../../kernel/contour_cut/cut_mesh.h"
-#include "../../kernel/mesh/openmesh_glm.h"
+#include "../../kernel/mesh/openmesh/openmesh_glm.h"
 
 #include <benchmark/benchmark.h>
 #include <burin_test/atlases.h>

@@ -1,5 +1,5 @@
-#include <burin/base/even_odd.h>
 #include <burin/drawing/areas_at.h>
+#include <burin/planar/even_odd.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 /// Lines on paper from a drawing file or from another program.
 
-#include <burin/base/near_lines.h>
 #include <burin/camera/camera.h>
+#include <burin/planar/near_lines.h>
 
 #include <nlohmann/json.hpp>
 

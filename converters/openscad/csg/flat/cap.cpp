@@ -1,9 +1,9 @@
 #include "cap.h"
 
 #include <burin/base/disjoint_sets.h>
+#include <burin/planar/triangulate.h>
 
 #include "origins.h"
-#include "triangulate.h"
 
 #include <algorithm>
 #include <numeric>
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> first_at_place(const std::vector<Vec2>& points) {
 
 struct Outlines {
   std::vector<Vec2> points;
-  std::vector<detail::DirectedEdge> edges;
+  std::vector<DirectedEdge> edges;
   std::unordered_map<std::uint64_t, Cap::Edge> known;
 };
 
@@ -74,7 +74,7 @@ HalfEdges half_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles)
 Cap cap_of(const Region& region) {
   Cap cap;
   const Outlines outlines = collect(region);
-  const detail::Triangulated inside = detail::triangulate(outlines.points, outlines.edges);
+  const Triangulated inside = triangulate(outlines.points, outlines.edges);
   const HalfEdges edges = half_edges(inside.triangles);
   const auto count = static_cast<std::uint32_t>(inside.triangles.size());
   const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };

@@ -1,9 +1,9 @@
 #pragma once
 /// Which areas of a drawing hold a place of the sheet.
 
-#include <burin/base/near_lines.h>
 #include <burin/base/vec.h>
 #include <burin/drawing/drawing.h>
+#include <burin/planar/near_lines.h>
 
 #include <cstddef>
 #include <cstdint>

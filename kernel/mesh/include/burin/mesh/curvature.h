@@ -1,5 +1,6 @@
 #pragma once
-/// The curvature tensor at every wedge of a proxy mesh.
+/// The curvature tensor at every wedge of a proxy mesh, estimated on OpenMesh
+/// (kernel/mesh/openmesh).
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/proxy_mesh.h>

@@ -1,5 +1,5 @@
-#include <burin/base/near_lines.h>
 #include <burin/base/nearest_along.h>
+#include <burin/planar/near_lines.h>
 
 #include <algorithm>
 #include <cmath>

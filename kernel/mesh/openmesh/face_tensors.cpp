@@ -2,7 +2,7 @@
 
 #include <burin/base/parallel.h>
 
-#include "build_steps.h"
+#include "../build_steps.h"
 
 #include <algorithm>
 #include <array>
@@ -25,16 +25,21 @@ struct FaceFrame {
   double area = 0;
 };
 
-FaceFrame face_frame(const ProxyMesh& proxy, std::size_t f) {
-  const Triangle& t = proxy.mesh.triangles[f];
+/// The half-edges of a triangle, from corner 0 on.
+using Around = std::array<RingHandle, 3>;
+
+Around around(const RingMesh& rings, OpenMesh::FaceHandle face) {
+  const RingHandle first = rings.halfedge_handle(face);
+  return {first, rings.next_halfedge_handle(first), rings.prev_halfedge_handle(first)};
+}
+
+FaceFrame face_frame(const RingMesh& rings, const Around& h, const Vec3& fallback) {
   std::array<Vec3, 3> e;
-  for (std::size_t k = 0; k < 3; ++k) {
-    e[k] = proxy.mesh.positions[t[(k + 1) % 3]] - proxy.mesh.positions[t[k]];
-  }
+  for (std::size_t k = 0; k < 3; ++k) e[k] = rings.to(h[k]) - rings.from(h[k]);
   FaceFrame result;
   const Vec3 twice_area = glm::cross(e[0], e[1]);
   result.area = 0.5 * glm::length(twice_area);
-  result.frame.n = normalize_or(twice_area, proxy.wedge_normal[proxy.wedges[f][0]]);
+  result.frame.n = normalize_or(twice_area, fallback);
   result.frame.u = normalize_or(e[0], any_orthogonal(result.frame.n));
   result.frame.v = glm::cross(result.frame.n, result.frame.u);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -89,26 +94,32 @@ std::array<double, 3> corner_areas(const FaceFrame& face) {
   return result;
 }
 
-std::unique_ptr<CornerTensor[]> corner_tensors(const ProxyMesh& proxy, const RunContext& context) {
-  const std::size_t faces = proxy.mesh.triangles.size();
-  auto result = std::make_unique_for_overwrite<CornerTensor[]>(3 * faces);
+/// For each half-edge inside the tensor of its triangle at its origin.
+std::unique_ptr<CornerTensor[]> corner_tensors(const RingMesh& rings, const ProxyMesh& proxy,
+                                               const RunContext& context) {
+  auto result = std::make_unique_for_overwrite<CornerTensor[]>(rings.n_halfedges());
   parallel_for(
-      faces, kFaceGrain,
+      rings.n_faces(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-          const FaceFrame face = face_frame(proxy, f);
+          const Around h = around(rings, OpenMesh::FaceHandle(static_cast<int>(f)));
+          std::array<Vec3, 3> normals;
+          for (std::size_t k = 0; k < 3; ++k) {
+            normals[k] = proxy.wedge_normal[wedge_of(proxy, rings.corner(h[k]))];
+          }
+          const FaceFrame face = face_frame(rings, h, normals[0]);
+          const auto at = [&](std::size_t k) -> CornerTensor& {
+            return result[static_cast<std::size_t>(h[k].idx())];
+          };
           if (!(face.area > 0)) {
-            std::fill_n(&result[3 * f], 3, CornerTensor{0, 0, 0, 0});
+            for (std::size_t k = 0; k < 3; ++k) at(k) = {0, 0, 0, 0};
             continue;
           }
-          const Triangle& w = proxy.wedges[f];
-          const std::array<Vec3, 3> normals = {proxy.wedge_normal[w[0]], proxy.wedge_normal[w[1]],
-                                               proxy.wedge_normal[w[2]]};
           const Tensor tensor = fit_tensor(face, normals);
           const std::array<double, 3> area = corner_areas(face);
           for (std::size_t k = 0; k < 3; ++k) {
             const Tensor t = area[k] * carried(tensor, face.frame, tangent_frame(normals[k]));
-            result[3 * f + k] = {t.mean, t.dx, t.dy, area[k]};
+            at(k) = {t.mean, t.dx, t.dy, area[k]};
           }
         }
       },
@@ -118,26 +129,21 @@ std::unique_ptr<CornerTensor[]> corner_tensors(const ProxyMesh& proxy, const Run
 
 }  // namespace
 
-std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const Corners& corners,
-                                  const RunContext& context) {
-  const auto at_corner = corner_tensors(proxy, context);
-  std::vector<Tensor> result(proxy.wedge_vertex.size());
-  std::vector<double> weight(result.size(), 0);
+std::vector<Tensor> wedge_tensors(const RingMesh& rings, const Groups<RingHandle>& of_wedge,
+                                  const ProxyMesh& proxy, const RunContext& context) {
+  const auto at_corner = corner_tensors(rings, proxy, context);
+  std::vector<Tensor> result(of_wedge.size());
   parallel_for(
-      proxy.mesh.positions.size(), kFaceGrain,
+      result.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners[v]) {
-            const std::uint32_t w = wedge_of(proxy, h);
-            const CornerTensor& c = at_corner[static_cast<std::size_t>(h)];
+        for (std::size_t w = begin; w < end; ++w) {
+          double weight = 0;
+          for (const RingHandle h : of_wedge[w]) {
+            const CornerTensor& c = at_corner[static_cast<std::size_t>(h.idx())];
             result[w] += Tensor{c.mean, c.dx, c.dy};
-            weight[w] += c.area;
+            weight += c.area;
           }
-          for (const HalfEdge h : corners[v]) {
-            const std::uint32_t w = wedge_of(proxy, h);
-            if (weight[w] > 0) result[w] = (1 / weight[w]) * result[w];
-            weight[w] = 0;
-          }
+          if (weight > 0) result[w] = (1 / weight) * result[w];
         }
       },
       &context);

@@ -1,9 +1,10 @@
 #include <burin/base/parallel.h>
 #include <burin/base/smoothstep.h>
 
-#include "build_steps.h"
-#include "patches.h"
+#include "../build_steps.h"
+#include "../patches.h"
 #include "quadric_fit.h"
+#include "ring_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +19,12 @@ constexpr double kGentle = 0.17;
 /// Finds the normal of one wedge after another; keeps its buffers between them.
 class WedgeNormal {
  public:
-  WedgeNormal(const ProxyMesh& proxy, const std::vector<Vec3>& normals,
+  WedgeNormal(const RingMesh& rings, const ProxyMesh& proxy, const std::vector<Vec3>& normals,
               const PlanarPatches& patches)
-      : proxy_(proxy), normals_(normals), patches_(patches) {}
+      : rings_(rings), proxy_(proxy), normals_(normals), patches_(patches) {}
 
-  /// `corners` are the corners of the wedge.
-  Vec3 find(std::span<const HalfEdge> corners) {
+  /// `corners` are the half-edges that leave the wedge.
+  Vec3 find(std::span<const RingHandle> corners) {
     if (const Vec3 flat = flat_normal(corners); flat != Vec3(0)) return flat;
     gather(corners);
     const Vec3 tessellated = normalize_or(by_area_, fallback(corners));
@@ -37,39 +38,41 @@ class WedgeNormal {
   }
 
  private:
-  Vec3 at(HalfEdge h) const { return proxy_.mesh.positions[origin(proxy_.mesh, h)]; }
-  bool smooth(HalfEdge h) const {
-    return proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth;
+  RingHandle next(RingHandle h) const { return rings_.next_halfedge_handle(h); }
+  RingHandle prev(RingHandle h) const { return rings_.prev_halfedge_handle(h); }
+  RingHandle opposite(RingHandle h) const { return rings_.opposite_halfedge_handle(h); }
+  bool smooth(RingHandle h) const {
+    return proxy_.edge_kind[static_cast<std::size_t>(rings_.corner(h))] == EdgeKind::Smooth;
   }
+  const Vec3& face_normal(RingHandle h) const { return normals_[rings_.triangle(h)]; }
+  std::int32_t patch(RingHandle h) const { return patches_.patch(rings_.triangle(h)); }
 
-  Vec3 fallback(std::span<const HalfEdge> corners) const {
-    for (const HalfEdge h : corners) {
-      if (normals_[face_of(h)] != Vec3(0)) return normals_[face_of(h)];
+  Vec3 fallback(std::span<const RingHandle> corners) const {
+    for (const RingHandle h : corners) {
+      if (face_normal(h) != Vec3(0)) return face_normal(h);
     }
     return {0, 0, 1};
   }
 
-  bool straight(HalfEdge h) const { return patches_.straight[static_cast<std::size_t>(h)] != 0; }
-
-  std::int32_t patch_beyond(HalfEdge h) const {
-    return patches_.patch(face_of(proxy_.topology.opposite[static_cast<std::size_t>(h)]));
+  bool straight(RingHandle h) const {
+    return patches_.straight[static_cast<std::size_t>(rings_.corner(h))] != 0;
   }
 
   /// The exact normal where the wedge lies in one patch, or where patches run straight up to it;
   /// else zero.
-  Vec3 flat_normal(std::span<const HalfEdge> corners) {
+  Vec3 flat_normal(std::span<const RingHandle> corners) {
     if (patches_.of_face.empty()) return Vec3(0);
-    const std::int32_t first = patches_.patch(face_of(corners.front()));
+    const std::int32_t first = patch(corners.front());
     bool one_patch = first >= 0;
     kept_.clear();
     bent_.clear();
-    for (const HalfEdge h : corners) {
-      one_patch = one_patch && patches_.patch(face_of(h)) == first;
-      const HalfEdge in = prev_in_face(h);
-      for (const HalfEdge edge : {h, in}) {
-        if (straight(edge)) bent_.push_back(patch_beyond(edge));
+    for (const RingHandle h : corners) {
+      one_patch = one_patch && patch(h) == first;
+      const RingHandle in = prev(h);
+      for (const RingHandle edge : {h, in}) {
+        if (straight(edge)) bent_.push_back(patch(opposite(edge)));
       }
-      if (straight(h) || straight(in)) kept_.push_back(patches_.patch(face_of(h)));
+      if (straight(h) || straight(in)) kept_.push_back(patch(h));
     }
     // A facet of a fillet runs straight along the fillet, into the next corner, but bends where it
     // meets the flat face: there it has that face's normal.
@@ -81,11 +84,11 @@ class WedgeNormal {
       return patches_.normal[static_cast<std::size_t>(kept_.front())];
     }
     Vec3 sum(0);
-    for (const HalfEdge h : corners) {
-      const std::int32_t p = patches_.patch(face_of(h));
+    for (const RingHandle h : corners) {
+      const std::int32_t p = patch(h);
       if (p < 0 || std::ranges::find(kept_, p) == kept_.end()) continue;
-      const Vec3 a = normalize_or(at(next_in_face(h)) - at(h), Vec3(0));
-      const Vec3 b = normalize_or(at(prev_in_face(h)) - at(h), Vec3(0));
+      const Vec3 a = normalize_or(rings_.to(h) - rings_.from(h), Vec3(0));
+      const Vec3 b = normalize_or(rings_.from(prev(h)) - rings_.from(h), Vec3(0));
       sum += std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) *
              patches_.normal[static_cast<std::size_t>(p)];
     }
@@ -93,25 +96,24 @@ class WedgeNormal {
   }
 
   /// The neighbours around the wedge, and the averaged normals.
-  void gather(std::span<const HalfEdge> corners) {
+  void gather(std::span<const RingHandle> corners) {
     ring_.clear();
     ends_.clear();
     by_area_ = by_shape_ = Vec3(0);
     coplanar_ = false;
-    const Vec3 p = at(corners.front());
-    for (const HalfEdge h : corners) {
-      const HalfEdge in = prev_in_face(h);
-      const Vec3 a = at(next_in_face(h)) - p, b = at(in) - p;
+    const Vec3 p = rings_.from(corners.front());
+    for (const RingHandle h : corners) {
+      const RingHandle in = prev(h);
+      const Vec3 a = rings_.to(h) - p, b = rings_.from(in) - p;
       ring_.push_back(a);
       if (!smooth(h)) ends_.push_back(a);
       if (!smooth(in)) {
         ring_.push_back(b);
         ends_.push_back(b);
-      } else if (const std::int32_t patch = patches_.patch(face_of(h)); patch >= 0) {
-        const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(in)];
-        coplanar_ = coplanar_ || patches_.patch(face_of(o)) == patch;
+      } else if (const std::int32_t own = patch(h); own >= 0) {
+        coplanar_ = coplanar_ || patch(opposite(in)) == own;
       }
-      const Vec3& n = normals_[face_of(h)];
+      const Vec3& n = face_normal(h);
       const double doubled = glm::length(glm::cross(a, b));
       by_area_ += doubled * n;
       const double sizes = glm::dot(a, a) * glm::dot(b, b);
@@ -121,18 +123,18 @@ class WedgeNormal {
   }
 
   /// The fitted normal, or the averaged one where the fit leans more than the triangles explain.
-  Vec3 fitted(std::span<const HalfEdge> corners) {
+  Vec3 fitted(std::span<const RingHandle> corners) {
     points_ = ring_;
     double near = 1, beyond = 1;  // cosines of the largest angles between the average and triangles
-    const Vec3 p = at(corners.front());
+    const Vec3 p = rings_.from(corners.front());
     const bool few = ring_.size() < 6;
-    for (const HalfEdge h : corners) {
-      near = std::min(near, glm::dot(by_shape_, normals_[face_of(h)]));
-      const HalfEdge far_edge = next_in_face(h);
+    for (const RingHandle h : corners) {
+      near = std::min(near, glm::dot(by_shape_, face_normal(h)));
+      const RingHandle far_edge = next(h);
       if (!smooth(far_edge) || (!few && ends_.empty())) continue;
-      const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(far_edge)];
-      beyond = std::min(beyond, glm::dot(by_shape_, normals_[face_of(o)]));
-      if (few) points_.push_back(at(prev_in_face(o)) - p);
+      const RingHandle o = opposite(far_edge);
+      beyond = std::min(beyond, glm::dot(by_shape_, face_normal(o)));
+      if (few) points_.push_back(rings_.from(prev(o)) - p);
     }
     const Vec3 n = quadric_normal(by_shape_, points_, ring_.size());
     if (n == Vec3(0)) return by_shape_;
@@ -162,6 +164,7 @@ class WedgeNormal {
     return smoothstep(0.45, 0.75, glm::length(sum) / size);
   }
 
+  const RingMesh& rings_;
   const ProxyMesh& proxy_;
   const std::vector<Vec3>& normals_;
   const PlanarPatches& patches_;
@@ -173,61 +176,17 @@ class WedgeNormal {
 
 }  // namespace
 
-void find_wedge_normals(ProxyMesh& proxy, const Corners& corners,
+void find_wedge_normals(const RingMesh& rings, ProxyMesh& proxy,
                         const std::vector<Vec3>& face_normals, const RunContext& context) {
   const PlanarPatches patches = find_patches(proxy, face_normals, context);
-  proxy.wedge_normal.resize(proxy.wedge_vertex.size());
+  const Groups<RingHandle> of_wedge = wedge_rings(rings, proxy, context);
+  proxy.wedge_normal.resize(of_wedge.size());
   parallel_for(
-      proxy.mesh.positions.size(), kFaceGrain,
+      of_wedge.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
-        WedgeNormal wedge_normal(proxy, face_normals, patches);
-        std::vector<HalfEdge> sorted;
-        for (std::size_t v = begin; v < end; ++v) {
-          const auto all = corners[v];
-          sorted.assign(all.begin(), all.end());
-          const auto wedge = [&](HalfEdge h) { return wedge_of(proxy, h); };
-          if (!std::ranges::is_sorted(sorted, {}, wedge)) {
-            std::ranges::sort(sorted, {}, [&](HalfEdge h) { return std::pair(wedge(h), h); });
-          }
-          for (auto first = sorted.begin(); first != sorted.end();) {
-            const std::uint32_t w = wedge(*first);
-            const auto last =
-                std::find_if(first, sorted.end(), [&](HalfEdge h) { return wedge(h) != w; });
-            proxy.wedge_normal[w] = wedge_normal.find({first, last});
-            first = last;
-          }
-        }
-      },
-      &context);
-}
-
-void find_sagitta(ProxyMesh& proxy, const Corners& corners, const RunContext& context) {
-  std::vector<float> of_face(proxy.mesh.triangles.size());
-  parallel_for(
-      of_face.size(), kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          double largest = 0;
-          for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = proxy.wedges[f][k], b = proxy.wedges[f][(k + 1) % 3];
-            const Vec3 edge = proxy.wedge_position(a) - proxy.wedge_position(b);
-            const Vec3 change = proxy.wedge_normal[a] - proxy.wedge_normal[b];
-            largest = std::max(largest, glm::dot(edge, edge) * glm::dot(change, change));
-          }
-          // h^2 k / 8 with k = |change of normal| / h
-          of_face[f] = static_cast<float>(std::sqrt(largest) / 8);
-        }
-      },
-      &context);
-  proxy.wedge_sagitta.assign(proxy.wedge_vertex.size(), 0);
-  parallel_for(
-      proxy.mesh.positions.size(), kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners[v]) {
-            float& sagitta = proxy.wedge_sagitta[wedge_of(proxy, h)];
-            sagitta = std::max(sagitta, of_face[face_of(h)]);
-          }
+        WedgeNormal wedge_normal(rings, proxy, face_normals, patches);
+        for (std::size_t w = begin; w < end; ++w) {
+          proxy.wedge_normal[w] = wedge_normal.find(of_wedge[w]);
         }
       },
       &context);

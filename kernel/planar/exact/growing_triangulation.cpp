@@ -1,14 +1,11 @@
-#include "triangulate.h"
+#include <burin/planar/growing_triangulation.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "constrained_delaunay.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
 /// A place in the mesh that was taken last; -1: not there yet.
@@ -16,13 +13,7 @@ struct Number {
   std::int32_t value = -1;
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-using Face = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<Number, Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+using Triangulation = ConstrainedDelaunay<Number, Number>;
 using Corners = std::array<std::uint32_t, 3>;
 
 /// With the least first.
@@ -33,7 +24,7 @@ Corners turned(Corners c) {
 
 }  // namespace
 
-struct SheetTriangulation::Impl {
+struct GrowingTriangulation::Impl {
   Triangulation mesh;
   /// What the numbers in `mesh` say.
   std::int32_t points = 0;
@@ -47,12 +38,12 @@ struct SheetTriangulation::Impl {
   }
 };
 
-SheetTriangulation::SheetTriangulation() : impl_(std::make_unique<Impl>()) {}
-SheetTriangulation::~SheetTriangulation() = default;
+GrowingTriangulation::GrowingTriangulation() : impl_(std::make_unique<Impl>()) {}
+GrowingTriangulation::~GrowingTriangulation() = default;
 
-void SheetTriangulation::add(std::span<const Vec2> points,
-                             std::span<const std::array<std::uint32_t, 2>> segments) {
-  std::vector<Kernel::Point_2> at;
+void GrowingTriangulation::add(std::span<const Vec2> points,
+                               std::span<const std::array<std::uint32_t, 2>> segments) {
+  std::vector<Triangulation::Point> at;
   at.reserve(points.size());
   for (const Vec2& p : points) at.emplace_back(p.x, p.y);
   std::vector<std::pair<std::size_t, std::size_t>> ends;
@@ -61,9 +52,9 @@ void SheetTriangulation::add(std::span<const Vec2> points,
   impl_->mesh.insert_constraints(at.begin(), at.end(), ends.begin(), ends.end());
 }
 
-SheetMesh SheetTriangulation::mesh() {
+PlanarMesh GrowingTriangulation::mesh() {
   Triangulation& mesh = impl_->mesh;
-  SheetMesh out;
+  PlanarMesh out;
   for (const auto& v : mesh.finite_vertex_handles()) {
     if (v->info().value < 0) v->info().value = impl_->points++;
   }
@@ -102,4 +93,4 @@ SheetMesh SheetTriangulation::mesh() {
   return out;
 }
 
-}  // namespace burin::detail
+}  // namespace burin

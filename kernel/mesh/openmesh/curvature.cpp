@@ -2,7 +2,7 @@
 #include <burin/base/smoothstep.h>
 #include <burin/mesh/curvature.h>
 
-#include "build_steps.h"
+#include "../build_steps.h"
 #include "face_tensors.h"
 #include "tensor_smoothing.h"
 
@@ -152,6 +152,19 @@ class AdaptiveSmoothing {
   std::vector<std::uint8_t> settled_;
 };
 
+struct Measured {
+  WedgeLinks links;
+  std::vector<Tensor> tensors;
+};
+
+/// What the walks around vertices give; the OpenMesh does not outlive them.
+Measured measured(const ProxyMesh& proxy, const RunContext& context) {
+  const RingMesh rings(proxy.mesh, proxy.topology.opposite, context);
+  const Groups<RingHandle> of_wedge = wedge_rings(rings, proxy, context);
+  return {wedge_links(rings, of_wedge, proxy, context),
+          wedge_tensors(rings, of_wedge, proxy, context)};
+}
+
 Curvature principal(const Tensor& t, const TangentFrame& frame, double confidence) {
   const double angle = 0.5 * std::atan2(t.dy, t.dx), d = t.deviation();
   const Vec3 d1 = std::cos(angle) * frame.u + std::sin(angle) * frame.v;
@@ -162,9 +175,8 @@ Curvature principal(const Tensor& t, const TangentFrame& frame, double confidenc
 
 std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context) {
-  const Corners corners = corners_at(proxy.mesh.triangles, proxy.mesh.positions.size());
-  const WedgeLinks links = wedge_links(proxy, corners, context);
-  AdaptiveSmoothing smoothing(proxy, links, wedge_tensors(proxy, corners, context), context);
+  auto [links, tensors] = measured(proxy, context);
+  AdaptiveSmoothing smoothing(proxy, links, std::move(tensors), context);
   if (options.smoothing < 0) {
     smoothing.run();
   } else {

@@ -1,18 +1,15 @@
-#include "triangulate.h"
+#include <burin/planar/even_odd.h>
+#include <burin/planar/triangulate.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "constrained_delaunay.h"
 
 #include <limits>
 #include <map>
 #include <utility>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 struct VertexInfo {
@@ -23,13 +20,7 @@ struct FaceInfo {
   int winding = 0;
 };
 
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
-
+using Triangulation = ConstrainedDelaunay<VertexInfo, FaceInfo>;
 using Vertex = Triangulation::Vertex_handle;
 
 /// How often the edges wind around `p`: those that cross the ray to the right, upwards 1,
@@ -38,9 +29,7 @@ int winding(Vec2 p, std::span<const Vec2> points, std::span<const DirectedEdge> 
   int count = 0;
   for (const auto& [from, to] : edges) {
     const Vec2 &a = points[from], &b = points[to];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    const double x = a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-    if (x > p.x) count += b.y > a.y ? 1 : -1;
+    if (crosses_ray(a, b, p)) count += b.y > a.y ? 1 : -1;
   }
   return count;
 }
@@ -158,4 +147,4 @@ Triangulated triangulate(std::span<const Vec2> points, std::span<const DirectedE
   return out;
 }
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -1,5 +1,5 @@
 #pragma once
-/// What lies inside oriented loops of a plane, as triangles; internal to the module.
+/// What lies inside oriented loops of a plane, as triangles.
 
 #include <burin/base/ids.h>
 #include <burin/base/vec.h>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace burin::detail {
+namespace burin {
 
 /// Two indices of points: an edge with the inside to its left.
 using DirectedEdge = std::array<std::uint32_t, 2>;
@@ -27,4 +27,4 @@ struct Triangulated {
 /// face that they make. @cite CGAL
 Triangulated triangulate(std::span<const Vec2> points, std::span<const DirectedEdge> edges);
 
-}  // namespace burin::detail
+}  // namespace burin

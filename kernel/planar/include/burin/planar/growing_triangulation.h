@@ -1,5 +1,5 @@
 #pragma once
-/// A constrained Delaunay triangulation of the sheet; internal to the module.
+/// A constrained Delaunay triangulation of the plane that more segments are added to.
 
 #include <burin/base/vec.h>
 
@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-namespace burin::detail {
+namespace burin {
 
-struct SheetMesh {
+struct PlanarMesh {
   std::vector<Vec2> points;
   /// Counterclockwise.
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -24,22 +24,22 @@ struct SheetMesh {
 };
 
 /// Grows by more segments; those that cross are divided where they do. @cite CGAL
-class SheetTriangulation {
+class GrowingTriangulation {
  public:
-  SheetTriangulation();
-  ~SheetTriangulation();
-  SheetTriangulation(const SheetTriangulation&) = delete;
-  SheetTriangulation& operator=(const SheetTriangulation&) = delete;
+  GrowingTriangulation();
+  ~GrowingTriangulation();
+  GrowingTriangulation(const GrowingTriangulation&) = delete;
+  GrowingTriangulation& operator=(const GrowingTriangulation&) = delete;
 
   /// Segments by their ends among `points`. Cost: n log n of the first ones; of later ones about
   /// the triangles that they meet.
   void add(std::span<const Vec2> points, std::span<const std::array<std::uint32_t, 2>> segments);
   /// All triangles. Points keep their numbers from one mesh to the next.
-  SheetMesh mesh();
+  PlanarMesh mesh();
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -1,9 +1,7 @@
 #pragma once
 /// Averages of tensors over neighbouring wedges.
 
-#include <burin/mesh/corners.h>
-#include <burin/mesh/proxy_mesh.h>
-
+#include "ring_mesh.h"
 #include "tensor.h"
 
 #include <cstdint>
@@ -25,7 +23,8 @@ struct WedgeLinks {
   std::unique_ptr<WedgeLink[]> links;
 };
 
-WedgeLinks wedge_links(const ProxyMesh& proxy, const Corners& corners, const RunContext& context);
+WedgeLinks wedge_links(const RingMesh& rings, const Groups<RingHandle>& of_wedge,
+                       const ProxyMesh& proxy, const RunContext& context);
 
 /// The mean of each wedge and its neighbours, `passes` times.
 std::vector<Tensor> smoothed(std::vector<Tensor> tensors, const WedgeLinks& links, int passes,

@@ -2,8 +2,7 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/topology.h>
 
-#include "build_steps.h"
-#include "flood.h"
+#include "../build_steps.h"
 #include "openmesh_glm.h"
 
 #include <fmt/format.h>
@@ -186,16 +185,6 @@ std::vector<HalfEdge> find_opposites(const TriMesh& mesh, const RunContext& cont
     check_boundary(mesh, stitch(mesh, std::move(open), opposite), opposite);
   }
   return opposite;
-}
-
-void find_components(Topology& topology) {
-  const std::int32_t components = flood(
-      topology.opposite, [](HalfEdge) { return true; }, topology.face_component);
-  topology.component_closed.assign(static_cast<std::size_t>(components), 1);
-  for (std::size_t h = 0; h < topology.opposite.size(); ++h) {
-    if (topology.opposite[h] != kNoHalfEdge) continue;
-    topology.component_closed[static_cast<std::size_t>(topology.face_component[h / 3])] = 0;
-  }
 }
 
 Topology build_topology(const TriMesh& mesh, const RunContext& context) {

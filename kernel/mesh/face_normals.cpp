@@ -2,10 +2,6 @@
 #include <burin/base/parallel_filter.h>
 
 #include "build_steps.h"
-#include "flood.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace burin {
 
@@ -15,10 +11,6 @@ namespace {
 /// its own: single precision files round corners by 6e-8 of their coordinates, which turns such a
 /// triangle by degrees.
 constexpr double kSliverHeight = 1e-5;
-
-/// Degrees over the crease angle that are still smooth: a circle of twelve facets bends by 30.00
-/// degrees, which single precision files round to either side.
-constexpr double kSlack = 0.006;
 
 struct LongestEdge {
   int corner;
@@ -77,41 +69,6 @@ void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vec
     if (left.size() == slivers.size()) break;
     slivers = std::move(left);
   }
-}
-
-EdgeKind crease_kind(const ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdge h) {
-  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
-  const Vec3 along =
-      proxy.mesh.positions[origin(proxy.mesh, o)] - proxy.mesh.positions[origin(proxy.mesh, h)];
-  const Vec3 turn = glm::cross(normals[face_of(h)], normals[face_of(o)]);
-  return glm::dot(turn, along) >= 0 ? EdgeKind::ConvexCrease : EdgeKind::ConcaveCrease;
-}
-
-void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
-                    const RunContext& context) {
-  const double limit = std::cos((crease_angle + kSlack) * std::numbers::pi / 180);
-  const std::vector<HalfEdge>& opposite = proxy.topology.opposite;
-  proxy.edge_kind.resize(opposite.size());
-  const auto kind = [&](std::size_t h) {
-    if (opposite[h] == kNoHalfEdge) return EdgeKind::Boundary;
-    const Vec3& a = normals[h / 3];
-    const Vec3& b = normals[face_of(opposite[h])];
-    if (glm::dot(a, b) >= limit) return EdgeKind::Smooth;
-    return crease_kind(proxy, normals, static_cast<HalfEdge>(h));
-  };
-  parallel_for(
-      opposite.size(), 3 * kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t h = begin; h < end; ++h) proxy.edge_kind[h] = kind(h);
-      },
-      &context);
-}
-
-void find_regions(ProxyMesh& proxy) {
-  const auto smooth = [&](HalfEdge h) {
-    return proxy.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth;
-  };
-  proxy.region_count = flood(proxy.topology.opposite, smooth, proxy.face_region);
 }
 
 }  // namespace burin
