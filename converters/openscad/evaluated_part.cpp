@@ -3,6 +3,7 @@
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
+#include <burin/mesh/straight_corners.h>
 #include <burin/repair/repair.h>
 
 #include <algorithm>
@@ -15,6 +16,9 @@
 
 namespace burin::detail {
 namespace {
+
+/// Of the largest coordinate: corners of cuts are exact but for their last rounding.
+constexpr double kCutDigits = 1e-9;
 
 /// The corners of a triangle by their coordinates, beginning with the least: repair may number
 /// points anew, but moves none.
@@ -129,6 +133,8 @@ std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::
   }
   KnownSurfaces known;
   known.of = surfaces_of(solid, mesh);
+  // Diagonals of other facets leave corners in the middle of edges that stand for rims.
+  remove_straight_corners(mesh, {.digits = kCutDigits}, context, &known.of);
   known.surfaces = std::move(solid.surfaces);
   auto form = std::make_shared<RecognisedForm>(std::move(mesh), known, context);
   report_round_faces(form->faces(), name, diagnostics);

@@ -4,6 +4,7 @@
 #include <burin/mesh/placed_mesh.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/reorder.h>
+#include <burin/mesh/straight_corners.h>
 
 #include "mesh_surface.h"
 #include "round_facets.h"
@@ -77,7 +78,12 @@ std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& opti
                                                       RunContext& context) const {
   context.begin_stage(RunStage::Build);
   TriMesh mesh = mesh_;
-  if (!faces_) reorder_for_cache(mesh);  // faces are numbered by triangle
+  if (!faces_) {  // faces are numbered by triangle
+    if (!texture_) {
+      remove_straight_corners(mesh, {.crease_angle = options.crease_angle}, context);
+    }
+    reorder_for_cache(mesh);
+  }
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   ProxyMesh proxy = build_proxy(std::move(mesh), proxy_options, context);
   if (faces_) proxy.source_face = *faces_;

@@ -233,4 +233,17 @@ bool go_over(double turn, Vec3 one, Vec3 other) {
   return glm::dot(one, other) >= std::cos(std::max(kAsSurface * turn, kDegree));
 }
 
+void FacetMesh::add(Triangle t, std::size_t like, const std::int32_t (&edges)[3],
+                    const Vec3 (&normals)[3], const FacetMesh& from) {
+  mesh.triangles.push_back(t);
+  patch.push_back(from.patch[like]);
+  facet.push_back(from.facet[like]);
+  face.push_back(from.face[like]);
+  if (!from.source.empty()) source.push_back(from.source[like]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    edge.push_back(edges[k]);
+    normal.push_back(normals[k]);
+  }
+}
+
 }  // namespace burin::recognised

@@ -11,6 +11,8 @@ namespace {
 // A point moves by the sagitta where surfaces meet at right angles, by more where they do not.
 constexpr double kMeetReach = 4;
 constexpr int kMeetSteps = 12;
+// Of the sagitta: a point so near to a surface is on it.
+constexpr double kClose = 1e-3;
 // Surfaces that meet at less than this (sine) do not hold a point along their common normal.
 constexpr double kTransversal = 0.03;
 
@@ -78,16 +80,29 @@ Vec3 Meeting::step_to_all(std::span<const SurfaceRef> refs, Vec3 p, double& wors
   return {d(0), d(1), d(2)};
 }
 
+double Meeting::largest_sagitta(std::span<const SurfaceRef> refs) const {
+  double most = 0;
+  for (const SurfaceRef r : refs) most = std::max(most, sagitta(r));
+  return most;
+}
+
+bool Meeting::holds(std::span<const SurfaceRef> refs, Vec3 p) const {
+  const double close = 2 * facets_.noise + kClose * largest_sagitta(refs);
+  return std::ranges::all_of(refs, [&](SurfaceRef r) {
+    Vec3 n;
+    return std::abs(distance(r, p, n)) <= close;
+  });
+}
+
 bool Meeting::operator()(std::span<const SurfaceRef> refs, Vec3& p) const {
-  double sagittas = 0;
-  for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
+  const double sagittas = largest_sagitta(refs);
   if (refs.size() == 1 && refs.front() >= 0) {
     const Vec3 q = round_.patches[static_cast<std::size_t>(refs.front())].project(p);
     if (!(glm::length(q - p) <= kMeetReach * sagittas + 10 * facets_.noise)) return false;
     p = q;
     return true;
   }
-  const double close = 2 * facets_.noise + 1e-3 * sagittas;
+  const double close = 2 * facets_.noise + kClose * sagittas;
   Vec3 q = p;
   for (int step = 0; step < kMeetSteps; ++step) {
     double worst = 0;
@@ -98,10 +113,7 @@ bool Meeting::operator()(std::span<const SurfaceRef> refs, Vec3& p) const {
     if (!(glm::length(q - p) <= kMeetReach * sagittas + 10 * facets_.noise)) return false;
     if (last) break;
   }
-  for (const SurfaceRef r : refs) {
-    Vec3 n;
-    if (!(std::abs(distance(r, q, n)) <= close)) return between(refs, p);
-  }
+  if (!holds(refs, q)) return between(refs, p);
   p = q;
   return true;
 }

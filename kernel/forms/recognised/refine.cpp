@@ -2,6 +2,7 @@
 
 #include <burin/work_mesh/division.h>
 
+#include "halves.h"
 #include "meet.h"
 
 #include <algorithm>
@@ -17,20 +18,11 @@ namespace {
 constexpr double kTurnOfEdge = 0.21;  // 12 degrees between the normals at both ends of an edge
 constexpr int kRounds = 8;
 constexpr std::size_t kMostTriangles = 20'000'000;
-// Of an edge: how far along it halfway between the parameters of its ends may be off its middle.
-constexpr double kAside = 0.1;
 // How often what turned over is taken back.
 constexpr int kPasses = 4;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
-
-/// A corner on a round surface.
-struct KnownPlace {
-  SurfaceRef of = -1;  // no round surface
-  Vec3 normal{0};
-  Vec2 uv{0};  // of a sheet
-};
 
 /// An edge once, with one half-edge of each side.
 struct SplitEdge {
@@ -50,6 +42,7 @@ class Refiner {
         round_(round),
         facets_(facets),
         meet_(round, facets),
+        halves_(mesh, round, meet_),
         tolerance_(tolerance),
         context_(context) {}
 
@@ -172,96 +165,117 @@ class Refiner {
     return 1;
   }
 
+  Vec3 chord_of(const SplitEdge& e) const {
+    return 0.5 * (m_.mesh.positions[e.ends.first] + m_.mesh.positions[e.ends.second]);
+  }
+
   /// Whether the middle of an edge is off its surfaces; it is put there.
   void look_at(SplitEdge& e) const {
     std::array<SurfaceRef, 2> both{ref_of(face_of(e.one)), -1};
     const std::span<const SurfaceRef> refs(both.data(), surfaces_at(e, both));
     const SurfaceRef round = *std::ranges::max_element(refs);
     if (round < 0) return;
-    const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
-    const Vec3 chord = 0.5 * (a + b);
-    e.middle = chord;
-    if (!halve_on_sheet(e, round) && !meet_(refs, e.middle)) return;
+    const bool within =
+        e.other != kNoHalfEdge && ref_of(face_of(e.one)) == ref_of(face_of(e.other));
+    const auto middle = halves_.find(e.ends, refs, round, within);
+    if (!middle) return;
+    e.middle = middle->at;
+    e.place = middle->place;
+    const Vec3 chord = chord_of(e);
     const double off = glm::length(e.middle - chord);
     if (off <= 4 * facets_.noise && off <= tolerance_) return;
-    e.split = off > tolerance_ || glm::dot(normal_at(round, e.ends.first),
-                                           normal_at(round, e.ends.second)) < std::cos(kTurnOfEdge);
-  }
-
-  /// Puts the middle of an edge that lies within one sheet halfway between the parameters of its
-  /// ends, which needs no search; false where that is not near the middle of the chord.
-  bool halve_on_sheet(SplitEdge& e, SurfaceRef ref) const {
-    if (e.other == kNoHalfEdge || ref_of(face_of(e.one)) != ref_of(face_of(e.other))) return false;
-    const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
-    if (!patch.sheet) return false;
-    const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
-    const Vec2 from = place_of(ref, e.ends.first).uv, period = patch.sheet->period();
-    Vec2 way = place_of(ref, e.ends.second).uv - from;
-    for (int k = 0; k < 2; ++k) {
-      if (period[k] > 0) way[k] -= period[k] * std::round(way[k] / period[k]);
-    }
-    const Vec2 uv = from + 0.5 * way;
-    const SurfaceDerivatives d = patch.sheet->derivatives(uv);
-    const Vec3 off = d.p - 0.5 * (a + b);
-    if (!(glm::length(off) <= 2 * patch.sagitta) ||
-        !(std::abs(glm::dot(off, b - a)) <= kAside * glm::dot(b - a, b - a))) {
-      return false;
-    }
-    e.middle = d.p;
-    e.place = {ref, patch.outward(d), uv};
-    return true;
-  }
-
-  /// Corners do not move any more, and each is asked for by all edges there.
-  const KnownPlace& place_of(SurfaceRef ref, std::uint32_t vertex) const {
-    if (places_.size() < m_.mesh.positions.size()) places_.resize(m_.mesh.positions.size());
-    KnownPlace& place = places_[vertex];
-    if (place.of == ref) return place;
-    const Vec3 p = m_.mesh.positions[vertex];
-    const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
-    place.of = ref;
-    if (patch.sheet) {
-      place.uv = patch.sheet->locate(p, patch.window);
-      place.normal = patch.outward(patch.sheet->derivatives(place.uv));
-    } else {
-      place.normal = patch.normal_at(p);
-    }
-    return place;
-  }
-  Vec3 normal_at(SurfaceRef ref, std::uint32_t vertex) const {
-    return place_of(ref, vertex).normal;
+    e.split = off > tolerance_ ||
+              glm::dot(halves_.normal_at(round, e.ends.first),
+                       halves_.normal_at(round, e.ends.second)) < std::cos(kTurnOfEdge);
   }
 
   bool split_once() {
     std::vector<SplitEdge> edges = find_edges();
-    std::size_t count = 0;
-    for (SplitEdge& e : edges) {
-      if (++count % 1024 == 0) context_.check();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i % 1024 == 0) context_.check();
+      SplitEdge& e = edges[i];
       look_at(e);
-      // What it lies on stays the same, so the answer does.
-      if (!e.split) settle(e);
+      // What it lies on stays the same, so the answer does; but for what borders take along.
+      if (!e.split && !is_inner(e)) settle(e);
     }
     edge_of_.assign(3 * m_.mesh.triangles.size(), -1);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       edge_of_[static_cast<std::size_t>(edges[i].one)] = static_cast<std::int32_t>(i);
-      if (edges[i].other >= 0) {
-        edge_of_[static_cast<std::size_t>(edges[i].other)] = static_cast<std::int32_t>(i);
-      }
+      if (edges[i].other < 0) continue;
+      edge_of_[static_cast<std::size_t>(edges[i].other)] = static_cast<std::int32_t>(i);
     }
+    take_along(edges);
     take_back(edges);
+    settle_far(edges);
     bool any = false;
     for (SplitEdge& e : edges) {
       if (!e.split) continue;
       any = true;
       e.vertex = static_cast<std::uint32_t>(m_.mesh.positions.size());
       m_.mesh.positions.push_back(e.middle);
-      if (e.place.of >= 0) {
-        places_.resize(m_.mesh.positions.size());
-        places_.back() = e.place;
-      }
+      halves_.keep_last(e.place);
     }
     if (any) rebuild(edges);
     return any;
+  }
+
+  /// Whether both sides of an edge are one flat facet.
+  bool is_inner(const SplitEdge& e) const {
+    return e.other != kNoHalfEdge && !is_round(face_of(e.one)) &&
+           ref_of(face_of(e.one)) == ref_of(face_of(e.other));
+  }
+
+  /// Edges within flat facets whose border has ceased to move beside them.
+  void settle_far(const std::vector<SplitEdge>& edges) {
+    for (const SplitEdge& e : edges) {
+      if (!e.split && is_inner(e) && mean_move(e, edges) == Vec3(0)) settle(e);
+    }
+  }
+
+  /// Where the border of a flat facet would move over an edge within it that edge moves too, by the
+  /// mean of what it lies between: rings may be narrower than the sagitta of their circles, as
+  /// where solids overlap by a thousandth of a mm.
+  void take_along(std::vector<SplitEdge>& edges) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      std::vector<SplitEdge*> along;
+      for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
+        if (is_round(t) || pieces_upright(t, edges)) continue;
+        for (std::size_t h = 3 * std::size_t{t}; h < 3 * std::size_t{t} + 3; ++h) {
+          if (edge_of_[h] < 0 || is_split(h, edges) || !is_crossed(h, edges)) continue;
+          SplitEdge& e = edges[static_cast<std::size_t>(edge_of_[h])];
+          if (is_inner(e)) along.push_back(&e);
+        }
+      }
+      if (along.empty()) break;
+      for (SplitEdge* e : along) e->middle = chord_of(*e) + mean_move(*e, edges);
+      for (SplitEdge* e : along) e->split = true;
+    }
+  }
+
+  /// Whether the middle of another side of the triangle moves over this one.
+  bool is_crossed(std::size_t h, const std::vector<SplitEdge>& edges) const {
+    const Vec3 a = m_.mesh.positions[origin(h)], along = m_.mesh.positions[target(h)] - a;
+    const Vec3 up = meet_.normal(ref_of(face_of(static_cast<HalfEdge>(h))), a);
+    for (std::size_t first = h - h % 3, k = first; k < first + 3; ++k) {
+      if (!is_split(k, edges)) continue;
+      const Vec3 middle = edges[static_cast<std::size_t>(edge_of_[k])].middle;
+      if (glm::dot(middle - a, glm::cross(up, along)) <= 0) return true;
+    }
+    return false;
+  }
+
+  /// Of the sides that are split of both triangles at an edge.
+  Vec3 mean_move(const SplitEdge& edge, const std::vector<SplitEdge>& edges) const {
+    Vec3 sum(0);
+    double count = 0;
+    for (const HalfEdge side : {edge.one, edge.other}) {
+      for (std::size_t first = 3 * std::size_t{face_of(side)}, h = first; h < first + 3; ++h) {
+        if (!is_split(h, edges)) continue;
+        const SplitEdge& e = edges[static_cast<std::size_t>(edge_of_[h])];
+        sum += e.middle - chord_of(e), ++count;
+      }
+    }
+    return count > 0 ? sum / count : sum;
   }
 
   /// Edges at triangles that would turn over stay as they are.
@@ -323,7 +337,7 @@ class Refiner {
                                        const std::array<Vec3, 6>& p) const {
     std::array<Vec3, 6> normal{};
     for (std::size_t k = 0; k < 3; ++k) {
-      normal[k] = normal_at(ref, m_.mesh.triangles[t][k]) / 3.0;
+      normal[k] = halves_.normal_at(ref, m_.mesh.triangles[t][k]) / 3.0;
       const std::size_t h = 3 * std::size_t{t} + k;
       if (!is_split(h, edges)) continue;
       const KnownPlace& place = edges[static_cast<std::size_t>(edge_of_[h])].place;
@@ -375,29 +389,15 @@ class Refiner {
   const Recognised& round_;
   const Facets& facets_;
   Meeting meet_;
+  Halves halves_;
   double tolerance_;
   const RunContext& context_;
-  /// For each corner the surface that was asked for last.
-  mutable std::vector<KnownPlace> places_;
   /// For each half-edge whether it stays as it is.
   std::vector<std::uint8_t> settled_;
   std::vector<std::int32_t> edge_of_;
 };
 
 }  // namespace
-
-void FacetMesh::add(Triangle t, std::size_t like, const std::int32_t (&edges)[3],
-                    const Vec3 (&normals)[3], const FacetMesh& from) {
-  mesh.triangles.push_back(t);
-  patch.push_back(from.patch[like]);
-  facet.push_back(from.facet[like]);
-  face.push_back(from.face[like]);
-  if (!from.source.empty()) source.push_back(from.source[like]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    edge.push_back(edges[k]);
-    normal.push_back(normals[k]);
-  }
-}
 
 void refine(FacetMesh& mesh, const Recognised& round, const Facets& facets, double tolerance,
             const RunContext& context) {

@@ -9,6 +9,10 @@ namespace {
 
 // Difference of curvatures against their sum below which there are no directions.
 constexpr double kUmbilic = 1e-6;
+// Cosine: ends of an edge that are farther apart around the axis are at a tip.
+constexpr double kNear = 0.5;
+// Of an edge: its ends are on one circle around the axis up to so much of it.
+constexpr double kRim = 1e-3;
 // A slope of the profile's end over its chord: steeper ones are no graph to speak of.
 constexpr double kSteepest = 1.0;
 
@@ -55,6 +59,17 @@ Vec3 Patch::project(Vec3 p) const {
   if (sheet) return nearest(p).p;
   const Foot f = foot(axis.profile(p));
   return axis.origin + f.point.x * axis.outward(p) + f.point.y * axis.direction;
+}
+
+Vec3 Patch::halfway(Vec3 a, Vec3 b) const {
+  const Vec3 chord = 0.5 * (a + b);
+  const Vec2 from = axis.profile(a), to = axis.profile(b);
+  const bool straight =
+      profile == Profile::Line || glm::distance(from, to) <= kRim * glm::distance(a, b);
+  const bool near = glm::dot(axis.outward(a), axis.outward(b)) > kNear;
+  if (kind == FaceKind::Sphere || !straight || !near) return project(chord);
+  const Vec2 rh = foot(0.5 * (from + to)).point;
+  return axis.origin + rh.x * axis.outward(chord) + rh.y * axis.direction;
 }
 
 double Patch::distance(Vec3 p, Vec3& normal_there) const {

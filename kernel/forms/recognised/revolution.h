@@ -64,6 +64,10 @@ struct Patch {
 
   /// The nearest point of the surface, to first order.
   Vec3 project(Vec3 p) const;
+  /// Where an edge with both ends on a surface that is no sheet is put halfway. On cones, and on
+  /// rims, it is at half the height of the ends: the nearest point would slide along the surface,
+  /// by more than narrow strips are high, while the rims beside it stay. Else the nearest point.
+  Vec3 halfway(Vec3 a, Vec3 b) const;
   /// From the surface to a point, positive outside, to first order; and the normal there.
   double distance(Vec3 p, Vec3& normal_there) const;
   Vec3 normal_at(Vec3 p) const;

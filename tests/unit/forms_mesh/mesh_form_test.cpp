@@ -86,6 +86,29 @@ TEST(MeshForm, CoarseFacetsFollowTheSurfaceThatTheyStandFor) {
   }
 }
 
+// As where the diagonal of another solid's facet was cut with the rim.
+TEST(MeshForm, ACornerOnTheChordOfARimDoesNotDentIt) {
+  TriMesh mesh = test::cylinder(10, 20, 16);
+  const auto corner = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back(glm::mix(mesh.positions[1], mesh.positions[3], 0.3));
+  std::erase(mesh.triangles, Triangle{0, 3, 1});
+  std::erase(mesh.triangles, Triangle{33, 1, 3});
+  for (const Triangle& t : {Triangle{0, 3, corner}, Triangle{0, corner, 1}, Triangle{33, 1, corner},
+                            Triangle{33, corner, 3}}) {
+    mesh.triangles.push_back(t);
+  }
+  RunContext context;
+  const auto surface = MeshForm(mesh).realise({.tolerance = 0.01}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
+    const auto h = static_cast<HalfEdge>(i);
+    if (!proxy.is_crease(h)) continue;
+    const Vec3 middle = 0.5 * (proxy.mesh.positions[origin(proxy.mesh, h)] +
+                               proxy.mesh.positions[origin(proxy.mesh, next_in_face(h))]);
+    EXPECT_NEAR(std::hypot(middle.x, middle.y), 10, 0.02);  // the chords are 0.19 inside
+  }
+}
+
 TEST(MeshForm, RoundedFacetsKeepCreasesRegionsAndFlatFaces) {
   RunContext context;
   const MeshForm can(test::cylinder(10, 30, 24));

@@ -68,6 +68,58 @@ TEST(KnownSurfaces, ACylinderIsWhatItIsSaidToBe) {
   EXPECT_NEAR(least, 10, 1e-5);
 }
 
+// Solids that overlap by a little leave rings far narrower than the sagitta of their circles.
+TEST(KnownSurfaces, RimsOfNarrowRingsAreRound) {
+  for (const double width : {1e-4, 1e-3, 0.02, 0.3}) {
+    const std::vector<Vec2> profile{{10, 0}, {9, 2}, {9 - width, 2}, {8.2, 3.5}};
+    const RecognisedForm form = form_of(
+        turned(profile, 16), {line(profile[0], profile[1], 16), line(profile[2], profile[3], 16)},
+        [](Vec3 c, Vec3 n) {
+          if (std::abs(n.z) > 0.99) return KnownSurfaces::kMeantFlat;
+          return c.z < 2 ? 0 : 1;
+        });
+    RunContext context;
+    const auto surface = form.realise({.tolerance = 0.005}, context);
+    const ProxyMesh& proxy = surface->proxy();
+    for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
+      const auto h = static_cast<HalfEdge>(i);
+      const Vec3 a = proxy.mesh.positions[origin(proxy.mesh, h)],
+                 b = proxy.mesh.positions[origin(proxy.mesh, next_in_face(h))];
+      if (!proxy.is_crease(h) || std::max(std::abs(a.z - 2), std::abs(b.z - 2)) > 1e-6) continue;
+      const Vec3 middle = 0.5 * (a + b);
+      const double r = std::hypot(middle.x, middle.y);  // the chords are 0.17 inside
+      EXPECT_LT(std::min(std::abs(r - 9), std::abs(r - 9 + width)), 0.01) << width;
+    }
+  }
+}
+
+// A strip of a cone between two rims.
+TEST(KnownSurfaces, RimsOfNarrowConesAreRound) {
+  const std::vector<Vec2> profile{{10, 0}, {9, 2}, {8.999, 2.004}, {8.2, 2.5}};
+  const RecognisedForm form =
+      form_of(turned(profile, 16),
+              {line(profile[0], profile[1], 16), line(profile[1], profile[2], 16),
+               line(profile[2], profile[3], 16)},
+              [](Vec3 c, Vec3 n) {
+                if (std::abs(n.z) > 0.99) return KnownSurfaces::kMeantFlat;
+                return c.z < 2 ? 0 : c.z < 2.004 ? 1 : 2;
+              });
+  RunContext context;
+  const auto surface = form.realise({.tolerance = 0.005}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
+    const auto h = static_cast<HalfEdge>(i);
+    const Vec3 a = proxy.mesh.positions[origin(proxy.mesh, h)],
+               b = proxy.mesh.positions[origin(proxy.mesh, next_in_face(h))];
+    if (std::abs(a.z - 2.004) > 1e-6 || std::abs(b.z - 2.004) > 1e-6) continue;
+    const Vec3 middle = 0.5 * (a + b);
+    EXPECT_NEAR(std::hypot(middle.x, middle.y), 8.999, 0.01);
+    ++seen;
+  }
+  EXPECT_GT(seen, 32u);
+}
+
 TEST(KnownSurfaces, WhatIsMeantFlatStaysAPrism) {
   const TriMesh prism = turned({{10, 0}, {10, 30}}, 24);
   EXPECT_EQ(
