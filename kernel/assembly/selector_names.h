@@ -26,11 +26,9 @@ class NamePatterns {
  public:
   explicit NamePatterns(std::string_view selector);
 
-  /// Whether the names begin as the patterns say: what they lead to, or what contains it, is meant.
-  /// A name from any depth means what readers have numbered, too: "bolt" is "bolt #2" as well,
-  /// which the input calls the same; "/bolt" is not.
-  bool lead_to(std::span<const std::string> names) const { return depth(names) > 0; }
-  /// How many of the names they lead down, as few as do: 0 where they do not lead there.
+  /// How many names, from the first, are as the patterns say, as few as are so; 0: none. What they
+  /// lead to, or what contains it, is meant. A name from any depth means what readers have
+  /// numbered, too: "bolt" is "bolt #2" as well, which the input calls the same; "/bolt" is not.
   std::size_t depth(std::span<const std::string> names) const;
   /// Whether they lead to the last of the names, and to nothing that contains it. Bodies of parts
   /// have names such as "solid 2" in all files: a pattern of one level, such as "*2", means none.

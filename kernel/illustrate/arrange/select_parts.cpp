@@ -20,7 +20,7 @@ class StyledBy {
 
   /// Whether a part takes the style of a look: a highlight leaves it to one that names the part
   /// more closely.
-  bool takes_style(const Part& part, std::size_t index, const Look& look,
+  bool takes_style(const Part& part, std::size_t index, const Look& look, std::size_t number,
                    const std::string& selector) {
     std::optional<std::size_t>& above = above_[index];
     if (!look.highlight) {
@@ -28,7 +28,10 @@ class StyledBy {
       return true;
     }
     const std::size_t levels = levels_above(part, selector);
-    if (above && *above < levels) return false;
+    if (above && *above < levels) {
+      named_[number] = index;
+      return false;
+    }
     above = levels;
     return true;
   }
@@ -100,7 +103,8 @@ void select_parts(Scene& scene, Illustration& illustration) {
           one.hatched = look.hatched.value_or(one.hatched);
           one.transparent = look.transparent.value_or(one.transparent);
           one.listed = look.listed.value_or(one.listed);
-          if (!look.style || !styled.takes_style(scene.parts[part], part, look, selector)) continue;
+          if (!look.style || !styled.takes_style(scene.parts[part], part, look, i, selector))
+            continue;
           one.style = look.style;
           styled.set(part, i);
         }
