@@ -94,6 +94,7 @@ void set_highlights(Draft& draft, const Asked& asked) {
     }
     draft.looks.push_back({.look = {.select = {is_selector ? text : text.substr(0, equals)},
                                     .hatched = true,
+                                    .highlight = true,
                                     .asked = fmt::format("{} '{}'", asked.spelled, text)},
                            .style_text = highlighted(whole, called),
                            .style_source = "highlight"});

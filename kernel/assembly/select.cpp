@@ -1,3 +1,4 @@
+#include <burin/assembly/items.h>
 #include <burin/assembly/select.h>
 #include <burin/assembly/things.h>
 #include <burin/base/ascii.h>
@@ -48,15 +49,21 @@ Test by_attribute(std::string_view selector) {
       fmt::format("selector '{}': parts have @color=, @index= and @file=, no @{}", selector, name));
 }
 
+/// How many names of a part's path a selector leads down, 0 where it does not lead there.
+std::size_t depth(const NamePatterns& patterns, const Part& part) {
+  std::vector<std::string> names = names_of(part);
+  std::size_t least = patterns.depth(names);
+  if (least > 0 || !part.whole) return least;
+  for (const std::string& name : detail::names_of_piece(part.name)) {
+    names.back() = name;
+    if ((least = patterns.depth(names)) > 0) break;
+  }
+  return least;
+}
+
 Test test_by_name(std::string_view selector) {
   return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
-    std::vector<std::string> names = names_of(part);
-    if (patterns.lead_to(names)) return true;
-    if (!part.whole) return false;
-    return std::ranges::any_of(detail::names_of_piece(part.name), [&](const std::string& name) {
-      names.back() = name;
-      return patterns.lead_to(names);
-    });
+    return depth(patterns, part) > 0;
   };
 }
 
@@ -96,6 +103,39 @@ std::vector<std::size_t> with_slashes_in_names(const Scene& scene, std::string_v
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (is_written(names_of(scene.parts[i]), selector)) found.push_back(i);
   }
+  return found;
+}
+
+/// Whether the name of any part is one that an item could have this name from: to find the items
+/// costs the measures of shapes.
+bool may_be_item(const Scene& scene, std::string_view selector) {
+  constexpr std::string_view kBetween = "_.:-# ()";  // a name and its number
+  const std::string stem = instance_stem(selector);
+  return std::ranges::any_of(scene.parts, [&](const Part& one) {
+    const Part& part = one.whole ? *one.whole : one;
+    const std::string& called = part.definition.empty() ? part.name : part.definition;
+    // The name of an item is that of a part, or the beginning of it.
+    for (std::size_t end = called.size(); end > 0; --end) {
+      const std::string_view begin = std::string_view(called).substr(0, end);
+      if (like(selector, begin) || like(stem, begin)) return true;
+      if (!is_digit(begin.back()) && kBetween.find(begin.back()) == kBetween.npos) break;
+    }
+    return false;
+  });
+}
+
+/// The parts of items that are called so, as lists and legends call them.
+std::vector<std::size_t> of_items(const Scene& scene, std::string_view selector) {
+  Diagnostics told_with_the_list;
+  RunContext context;
+  std::vector<std::size_t> found;
+  if (!may_be_item(scene, selector)) return found;
+  for (const Item& item : find_items(scene, {}, told_with_the_list, context)) {
+    if (like(selector, item.name)) {
+      found.insert(found.end(), item.parts.begin(), item.parts.end());
+    }
+  }
+  std::ranges::sort(found);
   return found;
 }
 
@@ -155,11 +195,18 @@ std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
     if (test(i, scene.parts[i])) found.push_back(i);
   }
   if (found.empty()) found = with_slashes_in_names(scene, selector);
+  if (found.empty() && !selector.starts_with('@')) found = of_items(scene, selector);
   if (found.empty()) {
     throw UsageError(fmt::format("no part is named '{}'; names of parts and assemblies: {}",
                                  selector, known_names(scene, selector)));
   }
   return found;
+}
+
+std::size_t levels_above(const Part& part, std::string_view selector) {
+  if (selector.starts_with('@')) return 0;
+  const std::size_t led = depth(NamePatterns(selector), part);
+  return led == 0 ? 0 : part.assembly.size() + 1 - led;
 }
 
 }  // namespace burin

@@ -95,9 +95,12 @@ std::vector<bool> NamePatterns::reached(std::span<const std::string> names, bool
   return reached;
 }
 
-bool NamePatterns::lead_to(std::span<const std::string> names) const {
+std::size_t NamePatterns::depth(std::span<const std::string> names) const {
   const std::vector<bool> all = reached(names, !from_top_);
-  return std::find(all.begin(), all.end(), true) != all.end();
+  const auto first = std::find(all.begin(), all.end(), true);
+  if (first == all.end()) return 0;
+  // "**" alone leads to the top before it has taken a name.
+  return std::max<std::size_t>(1, static_cast<std::size_t>(first - all.begin()));
 }
 
 bool NamePatterns::lead_to_last(std::span<const std::string> names) const {

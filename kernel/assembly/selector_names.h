@@ -3,6 +3,7 @@
 
 #include <burin/surface/scene.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,10 +26,10 @@ class NamePatterns {
  public:
   explicit NamePatterns(std::string_view selector);
 
-  /// Whether the names begin as the patterns say: what they lead to, or what contains it, is meant.
-  /// A name from any depth means what readers have numbered, too: "bolt" is "bolt #2" as well,
-  /// which the input calls the same; "/bolt" is not.
-  bool lead_to(std::span<const std::string> names) const;
+  /// How many names, from the first, are as the patterns say, as few as are so; 0: none. What they
+  /// lead to, or what contains it, is meant. A name from any depth means what readers have
+  /// numbered, too: "bolt" is "bolt #2" as well, which the input calls the same; "/bolt" is not.
+  std::size_t depth(std::span<const std::string> names) const;
   /// Whether they lead to the last of the names, and to nothing that contains it. Bodies of parts
   /// have names such as "solid 2" in all files: a pattern of one level, such as "*2", means none.
   bool lead_to_last(std::span<const std::string> names) const;

@@ -1,6 +1,8 @@
 #include <burin/base/ascii.h>
 #include <burin/drawing/color.h>
 
+#include "css_colors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,14 @@ std::vector<std::string> color_names() {
 std::string without_name(std::string_view text) {
   const std::string small = lowered(std::string(text));
   const auto* row = std::ranges::find(kNamed, std::string_view(small), &Named::name);
-  return std::string(row == kNamed.end() ? text : row->color);
+  if (row != kNamed.end()) return std::string(row->color);
+  if (const std::string_view color = detail::css_color(small); !color.empty()) {
+    return std::string(color);
+  }
+  constexpr std::size_t kShort = 4;  // "#abc" of CSS: each digit twice
+  if (text.size() != kShort || text[0] != '#') return std::string(text);
+  const std::string whole{'#', text[1], text[1], text[2], text[2], text[3], text[3]};
+  return rgb_of(whole) ? whole : std::string(text);
 }
 
 bool is_grey(const Rgb& color) { return color[0] == color[1] && color[1] == color[2]; }

@@ -1,7 +1,10 @@
 #include <burin/illustrate/ground.h>
 #include <burin/tone/catalogue.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace burin {
 
@@ -39,10 +42,15 @@ Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
   const Vec3 to_light = tone::to_light(level, style.tone);
   const double ground = plain(Mat3(1)).min.z;
   if (!std::isfinite(ground) || !casts_ground_shadow(to_light, level.direction())) return plain;
-  return [plain, down = onto_ground(to_light, ground)](const Mat3& axes) {
+  std::vector<PartStyle> casting(part_styles.begin(), part_styles.end());
+  casting.resize(scene.parts.size());
+  for (PartStyle& one : casting) one.drawn = one.drawn && !one.transparent;
+  if (std::ranges::none_of(casting, &PartStyle::drawn)) return plain;
+  return [&scene, plain, casting = std::move(casting),
+          down = onto_ground(to_light, ground)](const Mat3& axes) {
     Box3 box = plain(axes);
     if (box.empty()) return box;
-    const Box3 shadow = plain(axes * down.linear);
+    const Box3 shadow = drawn_bounds(scene, casting, axes * down.linear);
     const Vec3 by = axes * down.offset;
     box.add({shadow.min + by, shadow.max + by});
     return box;

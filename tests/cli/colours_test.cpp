@@ -77,6 +77,21 @@ TEST_F(Colours, HighlightsLeaveTheOthersTheirHatchingInGrey) {
   EXPECT_EQ(lines(toned + "--highlight core"), lines(toned));
 }
 
+// A name that matches an assembly too leaves it the parts that another highlight names closer.
+TEST_F(Colours, AHighlightOfAPartHoldsBeforeThatOfItsAssembly) {
+  const std::string model = std::string(BURIN_SOURCE_DIR) + "/samples/coupling.step";
+  const auto hub = [&](const std::string& options) {  // in the assembly "driven side"
+    EXPECT_EQ(run("draw " + model + " -o @/a.json --style flat " + options), 0) << err_;
+    return fills(Json::parse(test::slurp(folder_ / "a.json"))).at("driven hub");
+  };
+  const Strings blue = hub("--highlight *hub=blue"), red = hub("--highlight *hub=red");
+  EXPECT_NE(blue, red);
+  EXPECT_EQ(hub("--highlight *hub=blue --highlight driven*=red"), blue);
+  EXPECT_EQ(hub("--highlight driven*=red --highlight *hub=blue"), blue);
+  EXPECT_EQ(hub("--highlight driven*=red"), red);
+  EXPECT_EQ(hub("--highlight *hub=blue --highlight *ven?hub=red"), red) << "the last of equals";
+}
+
 TEST_F(Colours, HighlightsOfGlassAreSeenInSpotInksToo) {
   const auto tint = [&](const std::string& options) {
     const Json drawing = drawn("--style duotone " + options);

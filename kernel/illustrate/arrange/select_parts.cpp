@@ -15,7 +15,26 @@ namespace {
 /// Which look the style of each part is from: the last that names it.
 class StyledBy {
  public:
-  StyledBy(std::size_t parts, std::size_t looks) : look_(parts, looks), named_(looks) {}
+  StyledBy(std::size_t parts, std::size_t looks)
+      : look_(parts, looks), named_(looks), above_(parts) {}
+
+  /// Whether a part takes the style of a look: a highlight leaves it to one that names the part
+  /// more closely.
+  bool takes_style(const Part& part, std::size_t index, const Look& look, std::size_t number,
+                   const std::string& selector) {
+    std::optional<std::size_t>& above = above_[index];
+    if (!look.highlight) {
+      above.reset();
+      return true;
+    }
+    const std::size_t levels = levels_above(part, selector);
+    if (above && *above < levels) {
+      named_[number] = index;
+      return false;
+    }
+    above = levels;
+    return true;
+  }
 
   void set(std::size_t part, std::size_t look) {
     look_[part] = look;
@@ -52,6 +71,7 @@ class StyledBy {
  private:
   std::vector<std::size_t> look_;
   std::vector<std::optional<std::size_t>> named_;  // a part of the look
+  std::vector<std::optional<std::size_t>> above_;  // `levels_above` of its highlight
 };
 
 }  // namespace
@@ -83,7 +103,8 @@ void select_parts(Scene& scene, Illustration& illustration) {
           one.hatched = look.hatched.value_or(one.hatched);
           one.transparent = look.transparent.value_or(one.transparent);
           one.listed = look.listed.value_or(one.listed);
-          if (!look.style) continue;
+          if (!look.style || !styled.takes_style(scene.parts[part], part, look, i, selector))
+            continue;
           one.style = look.style;
           styled.set(part, i);
         }

@@ -132,6 +132,15 @@ void collect_inks(const Fills& fills, Drawing& drawing) {
     colors[area.ink].insert(color);
   }
   for (const auto& [ink, known] : colors) {
+    // In PDF it is the name of the plate that lines are on.
+    const bool as_lines = ink == "Black" && !is_grey(rgb_of(*known.begin()).value_or(Rgb{}));
+    if (as_lines) {
+      drawing.diagnostics.add(
+          Severity::Warning, "fill.ink_black", 1,
+          fmt::format("the ink 'Black' (fill.ink) is that of the lines and prints black, not {}: "
+                      "give the spot ink another name",
+                      *known.begin()));
+    }
     if (known.size() < 2) continue;
     drawing.diagnostics.add(
         Severity::Warning, "fill.ink_colors", static_cast<std::int64_t>(known.size()),

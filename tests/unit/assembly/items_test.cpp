@@ -109,6 +109,25 @@ std::vector<Item> items_of(const std::vector<Part>& parts, const ItemNumbers& ke
   return items;
 }
 
+// A legend says "arm (2)", which selects what it stands beside.
+TEST(Items, AreSelectedByTheNamesThatListsHave) {
+  Scene scene;
+  scene.parts = {part("arm1", form(arm(1))), part("arm2", form(arm(-1))),
+                 part("arm3", form(arm(-1))), part("left", form(test::box({0, 0, 0}, {1, 2, 3})))};
+  for (std::size_t i = 0; i < 3; ++i) scene.parts[i].definition = "arm";
+  scene.parts[3].definition = "screw M6";
+  RunContext context;
+  Diagnostics said;
+  for (const Item& item : find_items(scene, {}, said, context)) {
+    EXPECT_EQ(select(scene, item.name), item.parts) << item.name;
+  }
+  EXPECT_EQ(select(scene, "arm (2)"), (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(select(scene, "screw*"), (std::vector<std::size_t>{3}));
+  EXPECT_THROW(select(scene, "arm (3)"), UsageError);
+  scene.parts[3].name = "arm (2)";
+  EXPECT_EQ(select(scene, "arm (2)"), (std::vector<std::size_t>{3})) << "names of parts go first";
+}
+
 TEST(ShapeMeasure, OfABoxIsThatOfTheFormulas) {
   RunContext context;
   const double a = 4, b = 3, c = 2;

@@ -127,6 +127,18 @@ TEST(Select, NothingFoundNamesTheNearest) {
   EXPECT_NE(message("").find("not empty"), std::string::npos);
 }
 
+TEST(Select, TheHighestNameThatMatchesSaysHowCloselyAPartIsNamed) {
+  const Scene s = scene();
+  const Part& bolt = s.parts[1];  // pump/cover/bolt
+  EXPECT_EQ(levels_above(bolt, "bolt"), 0u);
+  EXPECT_EQ(levels_above(bolt, "pump/*/bolt"), 0u);
+  EXPECT_EQ(levels_above(bolt, "@index=1"), 0u);
+  EXPECT_EQ(levels_above(bolt, "c*"), 1u);
+  EXPECT_EQ(levels_above(bolt, "*"), 2u);
+  EXPECT_EQ(levels_above(bolt, "**"), 2u);
+  EXPECT_EQ(levels_above(s.parts[4], "*"), 0u);
+}
+
 // A pattern of many stars against a long name is the classic that takes exponential time.
 TEST(Select, ManyStarsEndAtOnce) {
   Scene s;

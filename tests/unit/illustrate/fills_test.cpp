@@ -230,6 +230,20 @@ TEST(Fills, OfAnInkAreTintsOfItTheDarkestAllOfIt) {
   EXPECT_NEAR(tints[2], 1, 1e-12);
 }
 
+// "Black" is the plate of the lines: it prints what red it stands for as black.
+TEST(Fills, OfAnInkNamedBlackThatIsNoneAreTold) {
+  const auto told = [](const char* color) {
+    Style style = builtin_style("flat");
+    style.fill.ink = "Black";
+    style.fill.color = color;
+    const Drawing drawing = draw(row_of_boxes(), style);
+    return std::ranges::any_of(drawing.diagnostics.entries(),
+                               [](const Diagnostic& d) { return d.code == "fill.ink_black"; });
+  };
+  EXPECT_TRUE(told("#d62728"));
+  EXPECT_FALSE(told("#808080"));
+}
+
 TEST(Fills, OfOneInkInTwoColoursAreTold) {
   Style style = builtin_style("flat");
   style.fill.ink = "Blue";

@@ -157,6 +157,25 @@ TEST(GroundShadow, HasRoomInPerspectiveAndNoMore) {
   }
 }
 
+TEST(GroundShadow, HasNoRoomWhereGlassCastsNone) {
+  const Scene scene = boxes({{{-9, -9, 0}, {9, 9, 2}}, {{-10, -10, 2}, {10, 10, 60}}});
+  Style style = builtin_style("flat");
+  std::vector<PartStyle> looks(2);
+  looks[1].transparent = true;
+  const NamedView v = named_view("iso");
+  const ViewOptions options{.direction = v.direction, .up = v.up, .paper = {200, 200}};
+  const auto scale = [&] {
+    return Camera::fit(extent_with_shadow(scene, style, looks, options), options).scale();
+  };
+  const double without = scale();
+  style.shadow.ground = true;
+  EXPECT_NEAR(scale() / without, 1, 0.01) << "the foot's is hardly wider than the bulb";
+  looks[0].transparent = true;
+  EXPECT_EQ(scale(), without);
+  looks[1].transparent = false;
+  EXPECT_LT(scale(), 0.9 * without);
+}
+
 TEST(GroundShadow, IsCutAtTheEdgeOfTheSheetUnlessTheStyleKeepsIt) {
   const Scene scene = boxes({{{-10, -15, 0}, {10, 15, 40}}});
   Style style = builtin_style("flat");

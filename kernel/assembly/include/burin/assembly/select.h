@@ -28,7 +28,15 @@ std::vector<std::string> selectors_of(const Scene& scene);
 /// @color=#88c0ff selects by colour, @index=3 by number, from 0, as `burin info` and
 /// drawing files count, @file=lid.stl those of a file.
 ///
+/// Where no part or assembly has the name, that of an item is meant, as lists and legends have it
+/// (`find_items`): "M6 screw", "arm (2)".
+///
 /// Throws UsageError that names the nearest names where it selects nothing.
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector);
+
+/// How closely a selector names a part that it selects: 0 for the part itself, by its name, item or
+/// attribute, 1 for the assembly that it is in, 2 for the one above. Where several names of its
+/// path match, the highest counts: "*" means all there is.
+std::size_t levels_above(const Part& part, std::string_view selector);
 
 }  // namespace burin

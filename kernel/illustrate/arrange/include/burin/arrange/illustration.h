@@ -26,6 +26,9 @@ struct Look {
   /// Absent: as before.
   std::optional<bool> drawn = {}, hatched = {}, transparent = {}, listed = {};
   std::optional<Style> style = {};
+  /// Of several highlights of a part the style of the one holds that names it most closely
+  /// (`levels_above`), of equal ones the last; other looks go over what came before them.
+  bool highlight = false;
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
   /// As it was asked for, "`highlight` rod*=red", for the warning that nothing is left of it.

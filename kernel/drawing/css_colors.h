@@ -1,0 +1,12 @@
+#pragma once
+// Names of colours that CSS has; internal to the module.
+
+#include <string_view>
+
+namespace burin::detail {
+
+/// "#rrggbb" of a name in small letters, such as "steelblue"; empty where CSS has none, or
+/// `color_names` has it.
+std::string_view css_color(std::string_view name);
+
+}  // namespace burin::detail
