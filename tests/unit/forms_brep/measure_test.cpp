@@ -61,7 +61,7 @@ TEST(BrepMeasure, StaysInACopyThatStandsElsewhereAndTellsItsMirrorImage) {
   const auto mirror = test::brep_form(moved(shape, true))->measure(context);
   EXPECT_NEAR(mirror.volume, m.volume, 1e-6 * m.volume);
   EXPECT_FALSE(m.same(mirror));
-  const Placement half{Mat3(0.5) * rotation({10, 20, 30}), Vec3(9)};
+  const Placement half{Mat3(0.5) * burin::rotation({10, 20, 30}), Vec3(9)};
   EXPECT_TRUE(m.scaled(0.5, false).same(test::brep_form(shape, half)->measure(context)));
 }
 

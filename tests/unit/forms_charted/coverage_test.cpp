@@ -5,6 +5,7 @@
 
 #include <burin_test/horn.h>
 #include <burin_test/nurbs_shapes.h>
+#include <burin_test/shapes.h>
 #include <burin_test/uniformity.h>
 #include <gtest/gtest.h>
 
@@ -12,12 +13,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 namespace burin {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::kPi;
 
 double area_at(const Chart& chart, Vec2 uv) {
   const SurfaceDerivatives d = chart.derivatives(uv);

@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace burin {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::kPi;
 
 using Point = std::function<Vec3(int row, int column)>;
 

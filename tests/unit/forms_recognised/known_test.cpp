@@ -72,7 +72,7 @@ TEST(KnownSurfaces, ACylinderIsWhatItIsSaidToBe) {
 TEST(KnownSurfaces, RimsOfNarrowRingsAreRound) {
   for (const double width : {1e-4, 1e-3, 0.02, 0.3}) {
     const std::vector<Vec2> profile{{10, 0}, {9, 2}, {9 - width, 2}, {8.2, 3.5}};
-    const RecognisedForm form = form_of(
+    const RecognisedForm form = known_form(
         turned(profile, 16), {line(profile[0], profile[1], 16), line(profile[2], profile[3], 16)},
         [](Vec3 c, Vec3 n) {
           if (std::abs(n.z) > 0.99) return KnownSurfaces::kMeantFlat;
@@ -97,13 +97,13 @@ TEST(KnownSurfaces, RimsOfNarrowRingsAreRound) {
 TEST(KnownSurfaces, RimsOfNarrowConesAreRound) {
   const std::vector<Vec2> profile{{10, 0}, {9, 2}, {8.999, 2.004}, {8.2, 2.5}};
   const RecognisedForm form =
-      form_of(turned(profile, 16),
-              {line(profile[0], profile[1], 16), line(profile[1], profile[2], 16),
-               line(profile[2], profile[3], 16)},
-              [](Vec3 c, Vec3 n) {
-                if (std::abs(n.z) > 0.99) return KnownSurfaces::kMeantFlat;
-                return c.z < 2 ? 0 : c.z < 2.004 ? 1 : 2;
-              });
+      known_form(turned(profile, 16),
+                 {line(profile[0], profile[1], 16), line(profile[1], profile[2], 16),
+                  line(profile[2], profile[3], 16)},
+                 [](Vec3 c, Vec3 n) {
+                   if (std::abs(n.z) > 0.99) return KnownSurfaces::kMeantFlat;
+                   return c.z < 2 ? 0 : c.z < 2.004 ? 1 : 2;
+                 });
   RunContext context;
   const auto surface = form.realise({.tolerance = 0.005}, context);
   const ProxyMesh& proxy = surface->proxy();

@@ -236,7 +236,7 @@ TEST(Fills, OfAnInkNamedBlackThatIsNoneAreTold) {
     Style style = builtin_style("flat");
     style.fill.ink = "Black";
     style.fill.color = color;
-    const Drawing drawing = draw(row_of_boxes(), style);
+    const Drawing drawing = draw_fills(row_of_boxes(), style);
     return std::ranges::any_of(drawing.diagnostics.entries(),
                                [](const Diagnostic& d) { return d.code == "fill.ink_black"; });
   };

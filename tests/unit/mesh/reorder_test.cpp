@@ -11,12 +11,12 @@
 namespace burin {
 namespace {
 
-using Corners = std::array<std::array<double, 3>, 3>;
+using FaceCorners = std::array<std::array<double, 3>, 3>;
 
-std::multiset<Corners> shape_of(const TriMesh& m) {
-  std::multiset<Corners> result;
+std::multiset<FaceCorners> shape_of(const TriMesh& m) {
+  std::multiset<FaceCorners> result;
   for (const Triangle& t : m.triangles) {
-    Corners c;
+    FaceCorners c;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& p = m.positions[t[k]];
       c[k] = {p.x, p.y, p.z};

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-ProxyMesh proxy_of(TriMesh mesh) { return build_proxy(std::move(mesh), {}, RunContext()); }
+ProxyMesh ringed(TriMesh mesh) { return build_proxy(std::move(mesh), {}, RunContext()); }
 
 /// Two triangles that touch at a vertex alone.
 TriMesh bow_tie() {
@@ -72,14 +72,14 @@ void expect_rings_as_counted(const ProxyMesh& proxy) {
 
 TEST(RingMesh, IsAnOpenMeshOfAllTriangles) {
   for (const TriMesh& mesh : {bow_tie(), torus_with_holes(), test::hull({.sides = 16})}) {
-    expect_whole(proxy_of(mesh));
+    expect_whole(ringed(mesh));
   }
 }
 
 TEST(RingMesh, RingsHaveAllCornersOfTheirWedgesInOrder) {
   // Fans that touch; boundaries; creases, and tips with several wedges in one fan.
   for (const TriMesh& mesh : {bow_tie(), torus_with_holes(), test::hull({.sides = 16})}) {
-    expect_rings_as_counted(proxy_of(mesh));
+    expect_rings_as_counted(ringed(mesh));
   }
 }
 

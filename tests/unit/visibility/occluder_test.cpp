@@ -22,8 +22,8 @@ ProxyMesh bare(TriMesh mesh) {
   return proxy;
 }
 
-struct Scene {
-  explicit Scene(std::vector<TriMesh> meshes, const OccluderOptions& options = {}) {
+struct OccludedScene {
+  explicit OccludedScene(std::vector<TriMesh> meshes, const OccluderOptions& options = {}) {
     for (TriMesh& m : meshes) proxies.push_back(bare(std::move(m)));
     for (const ProxyMesh& p : proxies) pointers.push_back(&p);
     occluder = std::make_unique<Occluder>(pointers, context, options);
@@ -37,7 +37,7 @@ struct Scene {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 TEST(Occluder, FindsTheFirstOfTwoBoxes) {
-  const Scene s({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 0, 3}, {1, 1, 4})});
+  const OccludedScene s({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 0, 3}, {1, 1, 4})});
   const auto hit = s.occluder->first_hit({0.3, 0.2, 10}, {0, 0, -1}, 0, kFar);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->where.part, 1);
@@ -49,7 +49,7 @@ TEST(Occluder, FindsTheFirstOfTwoBoxes) {
 }
 
 TEST(Occluder, KeepsNearAndFarExactly) {
-  const Scene s({test::box({0, 0, 0}, {1, 1, 1})});
+  const OccludedScene s({test::box({0, 0, 0}, {1, 1, 1})});
   const Vec3 o{0.3, 0.2, 5}, d{0, 0, -1};
   EXPECT_TRUE(s.occluder->occluded(o, d, 0, 4));
   EXPECT_FALSE(s.occluder->occluded(o, d, 0, 4 - 1e-12));
@@ -60,7 +60,7 @@ TEST(Occluder, KeepsNearAndFarExactly) {
 }
 
 TEST(Occluder, PassesThroughIgnoredTriangles) {
-  const Scene s({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 0, 3}, {1, 1, 4})});
+  const OccludedScene s({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 0, 3}, {1, 1, 4})});
   const Vec3 o{0.3, 0.2, 10}, d{0, 0, -1};
   EXPECT_FALSE(s.occluder->occluded(o, d, 0, kFar, [](FaceRef) { return true; }));
   EXPECT_TRUE(s.occluder->occluded(o, d, 0, 8, [](FaceRef) { return false; }));
@@ -78,7 +78,8 @@ TEST(Occluder, AnswersAlikeAtEverySizeAndPlace) {
   const TriMesh ball = test::ellipsoid({1, 1, 1}, 40, 20);
   for (const auto& [scale, shift] : {std::pair{1.0, 0.0}, {1e-3, 0.0}, {1e4, 0.0}, {1.0, 1e5}}) {
     const Vec3 at(shift, -shift, 0.5 * shift);
-    const Scene s({test::mapped(ball, [scale = scale, at](Vec3 p) { return p * scale + at; })});
+    const OccludedScene s(
+        {test::mapped(ball, [scale = scale, at](Vec3 p) { return p * scale + at; })});
     const Rng rng(7);
     int wrong = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {
@@ -94,7 +95,7 @@ TEST(Occluder, AnswersAlikeAtEverySizeAndPlace) {
 }
 
 TEST(Occluder, SeesNoHoleBetweenTriangles) {
-  const Scene s({test::torus(3, 1, 90, 45)});
+  const OccludedScene s({test::torus(3, 1, 90, 45)});
   for (const Vec3& v : s.proxies[0].mesh.positions) {
     const double r = std::hypot(v.x, v.y);
     if (r < 2.2 || r > 3.8) continue;
@@ -137,7 +138,7 @@ struct Aim {
   Vec3 origin, direction, target;
   Name into{-1, 0};  // the triangle within whose inside it aims
 };
-std::vector<Aim> aims(const Scene& s) {
+std::vector<Aim> aims(const OccludedScene& s) {
   std::vector<Aim> all;
   const Rng rng(11);
   std::uint64_t i = 0;
@@ -171,9 +172,9 @@ std::vector<TriMesh> crowd() {
 }
 
 TEST(Occluder, AnswersAlikeWithEmbreesCodeForEveryProcessor) {
-  std::vector<std::unique_ptr<Scene>> scenes;
+  std::vector<std::unique_ptr<OccludedScene>> scenes;
   for (const OccluderOptions& kind : kinds()) {
-    scenes.push_back(std::make_unique<Scene>(crowd(), kind));
+    scenes.push_back(std::make_unique<OccludedScene>(crowd(), kind));
   }
   for (const Aim& aim : aims(*scenes.front())) {
     const auto expected = all_hits(*scenes.front()->occluder, aim.origin, aim.direction);
@@ -197,7 +198,7 @@ TEST(Occluder, MissesNoTriangleThatARayAimsAt) {
       for (TriMesh& mesh : meshes) {
         mesh = test::mapped(mesh, [&](Vec3 p) { return p * scale + Vec3(30 * scale); });
       }
-      const Scene s(std::move(meshes), kind);
+      const OccludedScene s(std::move(meshes), kind);
       int missed = 0, aimed = 0;
       for (const Aim& aim : aims(s)) {
         if (aim.into.first < 0) continue;
@@ -216,7 +217,7 @@ TEST(Occluder, MissesNoTriangleThatARayAimsAt) {
 
 TEST(Occluder, GivesTiesToTheLowestPartAndTriangle) {
   for (const OccluderOptions& kind : kinds()) {
-    const Scene s(crowd(), kind);
+    const OccludedScene s(crowd(), kind);
     int ties = 0;
     for (const Aim& aim : aims(s)) {
       const auto hit = s.occluder->first_hit(aim.origin, aim.direction, 0, kFar);
@@ -240,7 +241,7 @@ TEST(Occluder, MeetsEdgesWithinTheToleranceAndNoWallThatIsSeenEdgeOn) {
   TriMesh sheet;
   sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const Scene s({sheet});
+  const OccludedScene s({sheet});
   const auto meets = [&](Vec3 origin, Vec3 direction) {
     return s.occluder->occluded(origin, direction, 0, kFar);
   };
@@ -259,8 +260,8 @@ TEST(Occluder, MeetsEdgesWithinTheToleranceAndNoWallThatIsSeenEdgeOn) {
 }
 
 TEST(Occluder, OwnsNothingInAnEmptyScene) {
-  const Scene none({}), bare({TriMesh{}});
-  for (const Scene* s : {&none, &bare}) {
+  const OccludedScene none({}), bare({TriMesh{}});
+  for (const OccludedScene* s : {&none, &bare}) {
     EXPECT_FALSE(s->occluder->occluded({0, 0, 5}, {0, 0, -1}, 0, kFar));
     EXPECT_FALSE(s->occluder->first_hit({0, 0, 5}, {0, 0, -1}, 0, kFar));
     EXPECT_EQ(s->occluder->diagonal(), 0);
@@ -276,7 +277,7 @@ TEST(Occluder, StopsWhenCancelled) {
 }
 
 TEST(Occluder, ReportsItsSize) {
-  const Scene s({test::box({0, 0, 0}, {3, 4, 12})});
+  const OccludedScene s({test::box({0, 0, 0}, {3, 4, 12})});
   EXPECT_NEAR(s.occluder->diagonal(), 13, 1e-12);
   EXPECT_GT(s.occluder->resolution(), 1e-7);
   EXPECT_LT(s.occluder->resolution(), 1e-5);
