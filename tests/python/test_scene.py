@@ -130,7 +130,7 @@ class Colours(unittest.TestCase):
         self.assertEqual(part.color, "#f28e2b")
         part.color = "#123456"
         self.assertEqual(part.color, "#123456")
-        for wrong in ("zzz", "#fff", "#12345678"):
+        for wrong in ("zzz", "#ffff", "#12345678"):
             with self.assertRaisesRegex(burin.UsageError, "color of a part .* not '" + wrong):
                 part.color = wrong
             with self.assertRaisesRegex(burin.UsageError, "not '" + wrong):

@@ -8,7 +8,7 @@
 namespace burin::csg::test {
 namespace {
 
-double polygon_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * M_PI / n); }
+double regular_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * M_PI / n); }
 
 /// A sound solid of the volume.
 void expect_solid(const Solid& solid, double expected, const std::string& of) {
@@ -25,7 +25,7 @@ TEST(Extrusions, StraightOnesHaveCylindersForTheirArcs) {
       "$fa = 12, $fs = 2) " +
       kPlate);
   const Solid solid = tree.solid();
-  expect_solid(solid, 3 * (80 - polygon_area(24, 2)), "plate");
+  expect_solid(solid, 3 * (80 - regular_area(24, 2)), "plate");
   EXPECT_EQ(tagged_triangles(solid), 48u);
   EXPECT_EQ(solid.surfaces.size(), 1u);
   EXPECT_LT(farthest_from_surfaces(solid), 1e-9);
@@ -34,14 +34,14 @@ TEST(Extrusions, StraightOnesHaveCylindersForTheirArcs) {
 TEST(Extrusions, NarrowedOnesHaveConesAboutTheMiddleOnly) {
   const std::string half = "linear_extrude(height = 6, scale = [0.5, 0.5]) ";
   const Solid solid = Evaluated(half + kPlate).solid();
-  expect_solid(solid, (80 - polygon_area(24, 2)) * 6 * (1 + 0.5 + 0.25) / 3, "plate");
+  expect_solid(solid, (80 - regular_area(24, 2)) * 6 * (1 + 0.5 + 0.25) / 3, "plate");
   EXPECT_EQ(tagged_triangles(solid), 48u);
   EXPECT_LT(farthest_from_surfaces(solid), 1e-9);
   const Solid aside = Evaluated(half +
                                 "{ multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { "
                                 "circle($fn = 24, r = 2); } }")
                           .solid();
-  expect_solid(aside, polygon_area(24, 2) * 6 * 1.75 / 3, "aside");
+  expect_solid(aside, regular_area(24, 2) * 6 * 1.75 / 3, "aside");
   // An oblique cone is a smooth surface of its own.
   EXPECT_EQ(tagged_triangles(aside), 48u);
   EXPECT_EQ(aside.surfaces.front().profile, Turned::Profile::Grid);
@@ -50,10 +50,10 @@ TEST(Extrusions, NarrowedOnesHaveConesAboutTheMiddleOnly) {
 TEST(Extrusions, APointEndsThemClosed) {
   const Solid cone =
       Evaluated("linear_extrude(height = 6, scale = [0, 0]) { circle($fn = 24, r = 2); }").solid();
-  expect_solid(cone, polygon_area(24, 2) * 2, "cone");
+  expect_solid(cone, regular_area(24, 2) * 2, "cone");
   EXPECT_EQ(tagged_triangles(cone), 24u);
   expect_solid(Evaluated("linear_extrude(height = 6, scale = [0, 0]) " + kPlate).solid(),
-               (80 - polygon_area(24, 2)) * 2, "plate with a hole");
+               (80 - regular_area(24, 2)) * 2, "plate with a hole");
 }
 
 TEST(Extrusions, ARidgeEndsThemClosed) {
@@ -82,7 +82,7 @@ TEST(Extrusions, TwistedOnesAreClosedAndLieWithinTheirTurn) {
                                   ", slices = 80, scale = [1, 1]) " + kPlate)
                             .solid();
     EXPECT_EQ(flaw(solid), "") << twist;
-    const double straight = 20 * (80 - polygon_area(24, 2));
+    const double straight = 20 * (80 - regular_area(24, 2));
     EXPECT_NEAR(volume(solid), straight, 0.04 * straight) << twist;
     // All walls are smooth surfaces.
     EXPECT_EQ(tagged_triangles(solid), 28u * 80 * 2);
@@ -105,7 +105,7 @@ TEST(Extrusions, TurnedRectanglesAreTubes) {
       "false); } }";
   const Solid tube =
       Evaluated("rotate_extrude(angle = 360, convexity = 2, $fn = 36) " + rectangle).solid();
-  expect_solid(tube, 5 * (polygon_area(36, 5) - polygon_area(36, 3)), "tube");
+  expect_solid(tube, 5 * (regular_area(36, 5) - regular_area(36, 3)), "tube");
   EXPECT_EQ(tagged_triangles(tube), 144u);
   EXPECT_EQ(tube.surfaces.size(), 2u);
   EXPECT_LT(farthest_from_surfaces(tube), 1e-9);
@@ -113,12 +113,12 @@ TEST(Extrusions, TurnedRectanglesAreTubes) {
     const Solid part =
         Evaluated("rotate_extrude(angle = " + std::string(angle) + ", $fn = 36) " + rectangle)
             .solid();
-    expect_solid(part, 5 * (polygon_area(36, 5) - polygon_area(36, 3)) / 4, angle);
+    expect_solid(part, 5 * (regular_area(36, 5) - regular_area(36, 3)) / 4, angle);
   }
   // From 90 to 180 degrees.
   const Solid late =
       Evaluated("rotate_extrude(angle = 90, start = 90, $fn = 36) " + rectangle).solid();
-  expect_solid(late, 5 * (polygon_area(36, 5) - polygon_area(36, 3)) / 4, "late");
+  expect_solid(late, 5 * (regular_area(36, 5) - regular_area(36, 3)) / 4, "late");
   for (const Vec3& p : late.positions) EXPECT_TRUE(p.x <= 0 && p.y >= 0) << p.x << ' ' << p.y;
 }
 
@@ -132,7 +132,7 @@ TEST(Extrusions, ShapesOnTheOtherSideOfTheAxisTurnToo) {
     EXPECT_EQ(flaw(solid), "") << angle;
     EXPECT_NEAR(
         volume(solid),
-        5 * (polygon_area(36, 5) - polygon_area(36, 3)) * (angle[0] == '3' ? 1 : 100.0 / 360), 0.5)
+        5 * (regular_area(36, 5) - regular_area(36, 3)) * (angle[0] == '3' ? 1 : 100.0 / 360), 0.5)
         << angle;
     EXPECT_LT(farthest_from_surfaces(solid), 1e-9);
   }
@@ -157,7 +157,7 @@ TEST(Extrusions, HalfACircleTurnsIntoASphereAndAWholeOneIntoARing) {
                          .solid();
   EXPECT_EQ(flaw(ring), "");
   // Pappus, with the sine of the polygon for the circle.
-  EXPECT_NEAR(volume(ring), polygon_area(40, 4) * 9 * 40 * std::sin(2 * M_PI / 40), 0.5);
+  EXPECT_NEAR(volume(ring), regular_area(40, 4) * 9 * 40 * std::sin(2 * M_PI / 40), 0.5);
   ASSERT_EQ(ring.surfaces.size(), 1u);
   EXPECT_EQ(ring.surfaces[0].middle, Vec2(9, 1));
   EXPECT_LT(farthest_from_surfaces(ring), 1e-9);
@@ -167,10 +167,10 @@ TEST(Extrusions, PointsOnTheAxisAreOneVertex) {
   const std::string kite =
       "{ polygon(points = [[0,0],[2,2],[0,4]], paths = undef, convexity = 1); }";
   const Solid whole = Evaluated("rotate_extrude(angle = 360, $fn = 12) " + kite).solid();
-  expect_solid(whole, polygon_area(12, 2) * 4 / 3, "two cones");
+  expect_solid(whole, regular_area(12, 2) * 4 / 3, "two cones");
   EXPECT_EQ(whole.positions.size(), 14u);
   const Solid part = Evaluated("rotate_extrude(angle = 90, $fn = 12) " + kite).solid();
-  expect_solid(part, polygon_area(12, 2) / 3, "a quarter");
+  expect_solid(part, regular_area(12, 2) / 3, "a quarter");
   EXPECT_EQ(part.positions.size(), 6u);
   // A ring whose hole ends in a point of the axis.
   const std::string pinch =
