@@ -6,6 +6,7 @@
 #include <burin/drawing/arcs.h>
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/pen_order.h>
+#include <burin/drawing/text.h>
 
 #include "pen_options.h"
 
