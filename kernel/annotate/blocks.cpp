@@ -1,6 +1,8 @@
 #include "blocks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -44,11 +46,18 @@ Vec2 size_of(const BlockPlan& plan, const BlockSizes& sizes) {
 
 }  // namespace
 
-std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame) {
+double scale_in(Vec2 room, Vec2 shape) {
+  const bool known = shape.x > 0 && shape.y > 0;
+  return known ? std::min(room.x / shape.x, room.y / shape.y) : std::sqrt(room.x * room.y);
+}
+
+std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame,
+                                      Vec2 shape) {
   const std::size_t n = std::max<std::size_t>(sizes.rows, 1);
   const Vec2 size = frame.size();
   std::optional<BlockPlan> best;
-  double most = 0, most_height = 0;
+  std::pair<double, double> most(0, 0);
+  double most_height = 0;
   for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
     BlockPlan plan{.blocks = blocks, .rows = (n + blocks - 1) / blocks};
     const Vec2 taken = size_of(plan, sizes);
@@ -60,8 +69,9 @@ std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, co
       plan.rest = rest_of(plan.box, beside, frame);
       const Vec2 rest = plan.rest.size();
       if (rest.x < kLeast * size.x || rest.y < kLeast * size.y) continue;
-      if (rest.x * rest.y <= most) continue;
-      most = rest.x * rest.y;
+      const std::pair<double, double> now(scale_in(rest, shape), rest.x * rest.y);
+      if (now <= most) continue;
+      most = now;
       most_height = taken.y;
       best = plan;
     }
@@ -70,8 +80,8 @@ std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, co
 }
 
 BlockPlan place_within(const BlockPlan& kept, const BlockSizes& sizes, Corner corner,
-                       const Box2& frame) {
-  const auto alone = place_blocks(sizes, corner, frame);
+                       const Box2& frame, Vec2 shape) {
+  const auto alone = place_blocks(sizes, corner, frame, shape);
   if (alone && holds(kept.box, alone->box) && holds(alone->rest, kept.rest)) return *alone;
   BlockPlan plan = kept;
   plan.blocks = (sizes.rows + kept.rows - 1) / kept.rows;

@@ -27,13 +27,20 @@ struct BlockSizes {
   std::size_t rows = 1, heading = 0;
 };
 
-/// Nothing where it would take more than 70 % of the frame's width and height.
-std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame);
+/// The scale at which what has that width and height fits into some room; where they are 0, not
+/// known, the root of its area.
+double scale_in(Vec2 room, Vec2 shape);
+
+/// Places a table so that a drawing of that width and height (any unit) comes out as large as can
+/// be, of equal ones where most of the frame is left. Nothing where it would take more than 70 % of
+/// the frame's width and height.
+std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame,
+                                      Vec2 shape);
 
 /// Places a table in the box of one that has as many rows or more, and blocks as wide or wider: as
 /// if it had the frame for itself where that stays in the box, else in as few blocks as fit its
 /// height.
 BlockPlan place_within(const BlockPlan& kept, const BlockSizes& sizes, Corner corner,
-                       const Box2& frame);
+                       const Box2& frame, Vec2 shape);
 
 }  // namespace burin::detail

@@ -36,12 +36,13 @@ std::optional<LegendPlan> plan_legend(const Annotations& annotations, const Call
   plan.row = 2 * h;
   plan.square = 1.4 * h;
   const auto room = place_blocks({plan.row, width_of(rows, false, plan.square, h), rows.size()},
-                                 style.legend, frame);
+                                 style.legend, frame, annotations.shape);
   if (!room) return std::nullopt;
   plan.block = width_of(rows, true, plan.square, h);
-  static_cast<BlockPlan&>(plan) =
-      seen == rows.size() ? *room
-                          : place_within(*room, {plan.row, plan.block, seen}, style.legend, frame);
+  static_cast<BlockPlan&>(plan) = seen == rows.size()
+                                      ? *room
+                                      : place_within(*room, {plan.row, plan.block, seen},
+                                                     style.legend, frame, annotations.shape);
   return plan;
 }
 

@@ -40,7 +40,7 @@ std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutO
                                   const Box2& frame) {
   ListPlan plan = columns_of(annotations.items, style);
   const auto blocks = place_blocks({plan.row, plan.block(), annotations.items.size(), 1},
-                                   Corner::BottomRight, frame);
+                                   Corner::BottomRight, frame, annotations.shape);
   if (!blocks) return std::nullopt;
   static_cast<BlockPlan&>(plan) = *blocks;
   return plan;

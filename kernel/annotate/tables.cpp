@@ -117,6 +117,11 @@ std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOpti
   return plan ? std::optional(plan->box) : std::nullopt;
 }
 
+double scale_beside_tables(const Annotations& annotations, const CalloutOptions& style,
+                           const Paper& paper) {
+  return detail::scale_in(tables_on(paper, annotations, style).rest.size(), annotations.shape);
+}
+
 void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
   const Paper paper{drawing.paper_width, drawing.paper_height};
   detail::lay_tables(tables_on(paper, annotations, style), annotations, style, drawing);

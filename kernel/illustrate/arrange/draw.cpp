@@ -4,22 +4,13 @@
 
 #include "mostly_empty.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace burin {
 namespace {
-
-/// Whether a sheet may be another with room for those rows of the legend alone that a drawing
-/// shows: one as large as the drawing has no room for more, and what had no room for all rows may
-/// have it for some.
-bool is_laid_out_by_rows(const SheetOfViews& sheet, const Illustration& illustration) {
-  const std::optional<Annotations>& over = illustration.illustrate.annotations;
-  if (!over || over->legend.empty()) return false;
-  return illustration.sheet.fits ||
-         !legend_box(*over, illustration.style.callout, sheet.camera().paper());
-}
 
 /// The rows that are seen in a drawing, or were so before.
 std::vector<bool> seen_rows(const Scene& scene, const Illustration& illustration,
@@ -38,16 +29,34 @@ Illustration with_rows(Illustration illustration, const std::vector<bool>& wante
   return illustration;
 }
 
+/// Whether a sheet is another with room for those rows of the legend alone that a drawing shows:
+/// one as large as the drawing has no room for more, what had no room for all rows may have it for
+/// some, and a drawing is worth making again where it comes out clearly larger.
+bool is_laid_out_by_rows(const SheetOfViews& sheet, const Illustration& illustration,
+                         const std::vector<bool>& wanted) {
+  constexpr double kLarger = 1.1;
+  const Annotations& over = *illustration.illustrate.annotations;
+  const CalloutOptions& style = illustration.style.callout;
+  const Paper& paper = sheet.camera().paper();
+  if (illustration.sheet.fits || !legend_box(over, style, paper)) return true;
+  if (illustration.view.scale || std::ranges::find(wanted, false) == wanted.end()) return false;
+  const Illustration seen = with_rows(illustration, wanted);
+  return scale_beside_tables(*seen.illustrate.annotations, style, paper) >
+         kLarger * scale_beside_tables(over, style, paper);
+}
+
 }  // namespace
 
 Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Illustration& illustration,
                    RunContext& context, Session* session) {
   Drawing drawing =
       illustrate(scene, sheet, illustration.style, illustration.illustrate, context, session);
-  if (is_laid_out_by_rows(sheet, illustration)) {
-    // At another scale a colour may be seen that was not: rows are added until none is missing.
-    std::vector<bool> laid(illustration.illustrate.annotations->legend.size(), true);
+  const std::optional<Annotations>& over = illustration.illustrate.annotations;
+  if (over && !over->legend.empty()) {
+    std::vector<bool> laid(over->legend.size(), true);
     std::vector<bool> wanted = seen_rows(scene, illustration, drawing, {});
+    if (!is_laid_out_by_rows(sheet, illustration, wanted)) wanted = laid;
+    // At another scale a colour may be seen that was not: rows are added until none is missing.
     while (wanted != laid) {
       laid = wanted;
       const Illustration seen = with_rows(illustration, laid);

@@ -4,6 +4,7 @@
 #include <burin/explode/explode.h>
 #include <burin/explode/seen.h>
 
+#include "drawn_shape.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>
@@ -105,9 +106,9 @@ std::vector<ExplodeStep> explode_steps(Scene& scene, const Illustration& illustr
   return steps;
 }
 
-void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
-  select_parts(scene, illustration);
-  number_parts(scene, illustration, context);
+namespace {
+
+void place_parts(Scene& scene, Illustration& illustration, RunContext& context) {
   if (!illustration.explode.wanted) return cut_parts(scene, illustration);
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
@@ -120,6 +121,17 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   cut_parts(scene,
             illustration);  // where they belong: a section does not go through what has come apart
   move_parts(scene, moves);
+}
+
+}  // namespace
+
+void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
+  select_parts(scene, illustration);
+  number_parts(scene, illustration, context);
+  place_parts(scene, illustration, context);
+  if (illustration.illustrate.annotations) {
+    illustration.illustrate.annotations->shape = detail::drawn_shape(scene, illustration);
+  }
 }
 
 }  // namespace burin

@@ -5,6 +5,7 @@
 #include <burin/illustrate/ground.h>
 
 #include "details.h"
+#include "drawn_shape.h"
 
 #include <fmt/format.h>
 
@@ -295,6 +296,19 @@ class SheetPlanner {
 };
 
 }  // namespace
+
+Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
+  if (!illustration.views.empty()) return Vec2(0);
+  ViewOptions view = illustration.view;
+  view.perspective.reset();
+  view.scale.reset();
+  view.center.reset();
+  view.margin = 0;
+  view.paper = {};
+  const Camera::ExtentFn extent = extent_of(scene, illustration, view);
+  const Vec3 size = extent(axes_of(Camera::fit(extent, view))).size();
+  return {size.x, size.y};
+}
 
 SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
   if (!illustration.views.empty() || !illustration.details.empty())

@@ -132,6 +132,27 @@ TEST(Legend, OfRowsThatAreSeenKeepsToTheRoomOfAll) {
   }
 }
 
+TEST(Legend, LeavesTheDrawingItsLargestScale) {
+  const Paper paper{105, 74};
+  const auto scale = [&](Vec2 shape, const Box2& rest) {
+    return std::min(rest.size().x / shape.x, rest.size().y / shape.y);
+  };
+  for (const Vec2 shape : {Vec2(80, 20), Vec2(50, 50), Vec2(20, 80)}) {
+    for (std::size_t rows = 1; rows <= 6; ++rows) {
+      Annotations over = three_colors();
+      over.legend.resize(rows, over.legend.front());
+      const double unknown = scale(shape, beside_tables(over, {}, paper));
+      over.shape = shape;
+      EXPECT_GE(scale(shape, beside_tables(over, {}, paper)), unknown) << shape.x << ' ' << rows;
+    }
+  }
+  Annotations over = three_colors();
+  over.shape = {80, 10};
+  EXPECT_EQ(beside_tables(over, {}, paper).size().x, 85) << "above what is wide";
+  over.shape = {10, 80};
+  EXPECT_EQ(beside_tables(over, {}, paper).size().y, 54) << "beside what is high";
+}
+
 TEST(Legend, StandsBesideTheListOfParts) {
   Annotations over = three_colors();
   over.parts_list = true;

@@ -321,6 +321,24 @@ TEST(Arrange, ALegendOfSomeOfTheColoursStandsWhereRoomIsKeptForAll) {
   }
 }
 
+TEST(Arrange, ALegendOfFewRowsThatAreSeenLeavesTheSheetToTheDrawing) {
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.legend = true;
+  illustration.view.paper = {105, 74};
+  illustration.view.direction = {0, 0, 1};
+  illustration.view.up = {0, 1, 0};
+  const auto scale = [&](const Scene& scene) {
+    RunContext context;
+    const Drawing drawing = illustrate(scene, illustration, context);
+    EXPECT_TRUE(legend_is_clear(drawing));
+    return drawing.view.scale;
+  };
+  Scene alone = full_case();
+  alone.parts.resize(1);
+  EXPECT_EQ(scale(full_case()), scale(alone)) << "what is inside keeps no room";
+}
+
 TEST(Arrange, ALegendThatHasRoomForWhatIsSeenKeepsClearOfTheDrawing) {
   Illustration illustration;
   illustration.style = builtin_style("flat");

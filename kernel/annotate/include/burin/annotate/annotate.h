@@ -38,6 +38,9 @@ struct Annotations {
   std::vector<LegendRow> legend = {};
   /// The empty border of the sheet, in which nothing of it stands.
   Margin margin{};
+  /// Width and height of what is drawn, in any unit, so that tables stand where it comes out
+  /// largest; 0: not known.
+  Vec2 shape{0};
 };
 
 /// The border that a drawing must keep so that what is laid over it has space:

@@ -15,4 +15,9 @@ namespace burin {
 std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOptions& style,
                                const Paper& paper);
 
+/// The scale at which what has `Annotations::shape` fits beside the tables, to be compared with
+/// that of others; where the shape is not known the root of the area in paper mm.
+double scale_beside_tables(const Annotations& annotations, const CalloutOptions& style,
+                           const Paper& paper);
+
 }  // namespace burin
