@@ -115,6 +115,12 @@ void Console::begins_again(const std::string& file) {
   say(fmt::format("burin: {} has changed; drawing again\n", file));
 }
 
+void Console::stopped_watching() {
+  if (quiet_) return;
+  clear();
+  say("burin: stopped watching\n");
+}
+
 void Console::stages(const RunContext& context, double total) {
   if (!verbose_ || quiet_) return;
   clear();

@@ -40,6 +40,8 @@ class Console {
   void watching(bool drawn, double seconds, std::size_t files);
   /// One line where a drawing of `burin watch` was ended, as a file has changed.
   void begins_again(const std::string& file);
+  /// One line where a signal ends `burin watch` while it waits.
+  void stopped_watching();
   /// The lines of --verbose: the stages in their order, then the total.
   void stages(const RunContext& context, double total);
 

@@ -219,7 +219,13 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
       first = false;
       console.watching(drawn, seconds, files.size());
     }
-    wait_for_change(files, context);
+    try {
+      wait_for_change(files, context);
+    } catch (const Cancelled&) {
+      // Ctrl-C is how one ends it: no error, if nothing was being drawn.
+      if (signals::may_report_cancelled()) console.stopped_watching();
+      throw;
+    }
   }
 }
 

@@ -124,8 +124,9 @@ std::optional<Margin> margin_option(const std::string& option, const std::string
     const double most = 0.5 * (std::min(sheet.x, sheet.y) - kLeast);
     const auto all = parse<double>(text);
     if (all && *all >= 0 && *all <= most) return Margin(*all);
-    const std::string range =
-        fmt::format("0 to {} mm on this paper, or four of them, TOP,RIGHT,BOTTOM,LEFT", most);
+    const std::string range = fmt::format(
+        "0 to {} mm on this paper ({} without it), or four of them, TOP,RIGHT,BOTTOM,LEFT", most,
+        Margin().top);
     refuse_value(option, range, text);
   }
   double v[4];

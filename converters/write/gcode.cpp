@@ -211,7 +211,12 @@ void write_gcode(const Drawing& drawing, const WriteOptions& options, std::ostre
 
 namespace detail {
 
-Format gcode_format() { return {"gcode", {"gcode."}, write_gcode}; }
+Format gcode_format() {
+  return {.name = "gcode",
+          .keys = {"gcode."},
+          .write = write_gcode,
+          .other_suffixes = {"nc", "ngc", "gco", "tap"}};
+}
 
 }  // namespace detail
 }  // namespace burin

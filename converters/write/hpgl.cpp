@@ -183,7 +183,9 @@ void write_hpgl(const Drawing& drawing, const WriteOptions& options, std::ostrea
 
 namespace detail {
 
-Format hpgl_format() { return {"hpgl", {"hpgl."}, write_hpgl}; }
+Format hpgl_format() {
+  return {.name = "hpgl", .keys = {"hpgl."}, .write = write_hpgl, .other_suffixes = {"plt", "hpg"}};
+}
 
 }  // namespace detail
 }  // namespace burin

@@ -47,7 +47,13 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
 
 namespace detail {
 
-Format html_format() { return {"html", {}, write_html, {}, true}; }
+Format html_format() {
+  return {.name = "html",
+          .keys = {},
+          .write = write_html,
+          .lists_items = true,
+          .other_suffixes = {"htm"}};
+}
 
 }  // namespace detail
 }  // namespace burin

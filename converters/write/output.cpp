@@ -39,7 +39,7 @@ std::string advice(int error) {
     case EPERM:
       return "no permission to write here; choose another folder";
     case EROFS:
-      return "the file system is read-only; choose another folder";
+      return "this folder takes no files; choose another";
     case ENOENT:
       return "the folder does not exist; make it first";
     case ENOTDIR:
@@ -152,8 +152,13 @@ bool Output::is_direct() const {
 
 int Output::open_aside() const {
   const int fd = platform::create_file(aside_);
-  if (fd < 0) fail(name_, errno);
-  return fd;
+  if (fd >= 0) return fd;
+  const int error = errno;
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+  std::error_code unknown;
+  // A folder of the system's own, such as /proc, is there and takes no file.
+  if (error == ENOENT && fs::is_directory(folder, unknown)) fail(name_, EROFS);
+  fail(name_, error);
 }
 
 void Output::probe() const {

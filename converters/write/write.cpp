@@ -23,6 +23,11 @@ bool among(std::string_view key, const Keys& keys) {
   return std::ranges::any_of(keys, [&](std::string_view k) { return key.starts_with(k); });
 }
 
+bool is_called(const Format& format, std::string_view name) {
+  return format.name == name ||
+         std::ranges::find(format.other_suffixes, name) != format.other_suffixes.end();
+}
+
 Format made_of(const AddedFormat& added) {
   return {added.name,
           {std::string(added.name) + "."},
@@ -46,11 +51,13 @@ const std::vector<Format>& formats() {
 
 bool is_own_format(std::string_view name) {
   static const std::vector<Format> own = detail::own_formats();
-  return std::ranges::find(own, name, &Format::name) != own.end();
+  return std::ranges::any_of(own, [&](const Format& f) { return is_called(f, name); });
 }
 
 const Format* format_named(std::string_view name) {
-  const auto found = std::ranges::find(formats(), lowered(name), &Format::name);
+  const std::string wanted = lowered(name);
+  const auto found =
+      std::ranges::find_if(formats(), [&](const Format& f) { return is_called(f, wanted); });
   return found == formats().end() ? nullptr : &*found;
 }
 

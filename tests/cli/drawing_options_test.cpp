@@ -94,6 +94,8 @@ TEST_F(DrawingOptions, ALinkToNothingStaysALink) {
   fs::create_symlink("none/real.svg", folder_ / "lost.svg");
   EXPECT_EQ(run("draw @/box.off -o @/lost.svg"), 4);
   expect_error("the folder does not exist");
+  EXPECT_EQ(run("draw @/box.off -o /proc/box.svg"), 4);
+  expect_error("this folder takes no files");
 }
 
 TEST_F(DrawingOptions, IdsKeepTheirNamesAndHaveTheirPrefix) {

@@ -101,8 +101,8 @@ TEST_F(KeyEffects, HighlightsOfWhichNothingIsLeftAreTold) {
   EXPECT_EQ(warnings("--highlight b* --highlight ball=red"), "");
   EXPECT_EQ(warnings("--highlight ball --highlight b*=red"),
             "burin: warning: --highlight 'ball' has no effect: --highlight 'b*=red' is laid over "
-            "all of its parts, such as 'ball' (of several looks the last one holds, and looks go "
-            "over highlights)\n");
+            "all of its parts, such as 'ball' (of several looks the last one holds, of several "
+            "highlights the one that names a part most closely, and looks go over highlights)\n");
   EXPECT_EQ(
       warnings("--highlight ball --hide ball"),
       "burin: warning: --highlight 'ball' has no effect: 'ball' is left out of the drawing\n");

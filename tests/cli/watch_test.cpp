@@ -64,7 +64,7 @@ class Watch : public test::CliTest {
   void expect_clean_end() {
     watch_->signal(SIGINT);
     EXPECT_EQ(watch_->wait(), 5) << watch_->std_err;
-    EXPECT_TRUE(watch_->std_err.ends_with("burin: error: cancelled\n")) << watch_->std_err;
+    EXPECT_TRUE(watch_->std_err.ends_with("burin: stopped watching\n")) << watch_->std_err;
     for (const auto& entry : fs::directory_iterator(folder_.path())) {
       EXPECT_NE(entry.path().extension(), ".part") << entry.path();
     }

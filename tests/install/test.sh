@@ -91,7 +91,7 @@ if [[ -n $python_folder && -d $addon ]]; then
   # ... the archive, which has its kernel in it; unpacked by a program that knows no links ...
   mkdir -p "$scratch/unpacked/Mod"
   cmake --build "$build" --target burin_addon >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the archive of the add-on is not made"; }
-  /usr/bin/python3 -m zipfile -e "$build"/burin-freecad-*.zip "$scratch/unpacked/Mod" || fail "the archive of the add-on does not unpack"
+  /usr/bin/python3 -m zipfile -e "$build"/burin-workbench-*-this-system.zip "$scratch/unpacked/Mod" || fail "the archive of the add-on does not unpack"
   "$source/tests/install/addon.sh" "$scratch/unpacked/Mod/Burin" "$scratch" "$scratch/unpacked/Mod/Burin/freecad/burin_wb/native" "$scratch/unpacked" ||
     fail "the unpacked add-on does not draw"
   # ... and the repository as the Addon Manager clones it, with its package.xml at the root.

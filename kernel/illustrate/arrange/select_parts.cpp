@@ -60,8 +60,8 @@ class StyledBy {
                                name)
                  : fmt::format(
                        "{} has no effect: {} is laid over all of its parts, such as '{}' "
-                       "(of several looks the last one holds, and looks go over "
-                       "highlights)",
+                       "(of several looks the last one holds, of several highlights the one that "
+                       "names a part most closely, and looks go over highlights)",
                        looks[i].asked,
                        looks[look_[part]].asked.empty() ? "another look" : looks[look_[part]].asked,
                        name));

@@ -43,6 +43,15 @@ TEST(WriteDrawing, FormatsHaveNames) {
   EXPECT_EQ(format_named("PDF")->name, "pdf");
   for (const Format& f : formats()) EXPECT_EQ(format_named(f.name), &f);
   EXPECT_EQ(format_named("bmp"), nullptr);
+  // What machines and pages call them.
+  for (const char* suffix : {"plt", "HPG", "hpgl"}) {
+    EXPECT_EQ(format_named(suffix), format_named("hpgl")) << suffix;
+  }
+  for (const char* suffix : {"nc", "ngc", "gco", "tap"}) {
+    EXPECT_EQ(format_named(suffix), format_named("gcode")) << suffix;
+  }
+  EXPECT_EQ(format_named("htm"), format_named("html"));
+  EXPECT_TRUE(is_own_format("plt")) << "no plug-in can have it";
   EXPECT_EQ(format_list(), ".svg, .pdf, .eps, .png, .dxf, .hpgl, .gcode, .json or .html");
 }
 

@@ -30,13 +30,15 @@ struct Format {
   std::function<void(double width, double height, const WriteOptions&)> check_sheet = {};
   /// Whether it shows the items of a drawing, so that they are worth finding.
   bool lists_items = false;
+  /// What files of it are called as well, without dots: machines know them by these.
+  std::vector<std::string_view> other_suffixes = {};
 };
 
 /// All formats; those of plug-ins last.
 const std::vector<Format>& formats();
 /// Whether a suffix names a format of our own, which no plug-in can have.
 bool is_own_format(std::string_view name);
-/// The format of a suffix or name in any case ("svg", "SVG"); null where there is none.
+/// The format of a name or suffix in any case ("svg", "SVG", "plt"); null where there is none.
 const Format* format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
