@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
   std::string out = "\"";
   for (const char c : text) {
@@ -29,9 +29,9 @@ std::vector<std::string> DrawingItem::things() const {
 std::string parts_list_csv(std::span<const DrawingItem> items) {
   std::string out = "number,name,quantity,colour,source,parts\r\n";
   for (const DrawingItem& item : items) {
-    out += fmt::format("{},{},{},{},{},{}\r\n", item.number, quoted(item.name), item.quantity(),
-                       quoted(item.color), quoted(item.source),
-                       quoted(fmt::format("{}", fmt::join(item.things(), ";"))));
+    out += fmt::format("{},{},{},{},{},{}\r\n", item.number, csv_field(item.name), item.quantity(),
+                       csv_field(item.color), csv_field(item.source),
+                       csv_field(fmt::format("{}", fmt::join(item.things(), ";"))));
   }
   return out;
 }
