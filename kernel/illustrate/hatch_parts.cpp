@@ -111,7 +111,8 @@ class HatchPreparation {
       : place_(std::move(place)), surfaces_(flagged(place_)) {
     if (place_.alone) {
       context.begin_stage(RunStage::Build);
-      before_.emplace(place_.occluders->proxies_before(*place_.alone), context);
+      before_.emplace(place_.occluders->proxies_before(*place_.alone), context,
+                      place_.occluders->tree_options());
     }
     context.begin_stage(RunStage::Field);
     probe_ =

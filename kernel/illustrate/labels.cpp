@@ -176,7 +176,8 @@ Labels label(const LabelRequest& wanted, const RunContext& context) {
   const Looker looker(wanted, context);
   Labels labels;
   if (occluders.any_transparent()) {
-    const Occluder all(occluders.proxies_with(occluders.transparent()), context);
+    const Occluder all(occluders.proxies_with(occluders.transparent()), context,
+                       occluders.tree_options());
     for (std::size_t behind = 0; behind < kMostGlass; ++behind) {
       std::vector<Area> seen = looker.glass(all, behind);
       if (seen.empty()) break;

@@ -24,12 +24,14 @@ std::vector<const ProxyMesh*> solid_ones(std::vector<const ProxyMesh*> proxies,
 
 }  // namespace
 
-Occluders::Occluders(Surfaces surfaces, std::vector<bool> transparent, const RunContext& context)
+Occluders::Occluders(Surfaces surfaces, std::vector<bool> transparent, std::vector<double> ranks,
+                     const RunContext& context)
     : surfaces_(std::move(surfaces)),
       transparent_(std::move(transparent)),
+      ranks_(std::move(ranks)),
       proxies_(proxies_of(surfaces_)),
       solid_proxies_(solid_ones(proxies_, transparent_)),
-      solid_(solid_proxies_, context) {}
+      solid_(solid_proxies_, context, tree_options()) {}
 
 bool Occluders::any_transparent() const {
   return std::ranges::find(transparent_, true) != transparent_.end();

@@ -18,8 +18,9 @@ using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 /// The tree of rays of the solid parts, and what it takes for those of the transparent ones.
 class Occluders {
  public:
-  /// `transparent`: one a part.
-  Occluders(Surfaces surfaces, std::vector<bool> transparent, const RunContext& context);
+  /// `transparent`: one a part. `ranks`: `PartStyles::meeting_ranks`.
+  Occluders(Surfaces surfaces, std::vector<bool> transparent, std::vector<double> ranks,
+            const RunContext& context);
 
   const Surfaces& surfaces() const { return surfaces_; }
   std::size_t size() const { return proxies_.size(); }
@@ -35,10 +36,15 @@ class Occluders {
   std::vector<const ProxyMesh*> proxies_before(std::size_t part) const;
   /// The solid parts and those of a flag.
   std::vector<const ProxyMesh*> proxies_with(const std::vector<bool>& parts) const;
+  /// Of any tree of rays of these parts, so that all agree which of those that lie on each other is
+  /// seen.
+  OccluderOptions tree_options() const { return {.ranks = ranks_}; }
+  const std::vector<double>& ranks() const { return ranks_; }
 
  private:
   Surfaces surfaces_;
   std::vector<bool> transparent_;
+  std::vector<double> ranks_;
   std::vector<const ProxyMesh*> proxies_, solid_proxies_;
   Occluder solid_;
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -42,11 +43,13 @@ void share_tone(std::span<const StrokeSet> all, bool one_tone, StrokeSet& set) {
   if (alone) set.exponents.clear();
 }
 
-// How much ink a mm has of the lines in which a part meets others, 0 where it has none.
-double meeting_ink(const Style& style, const Style& whole) {
-  if (!style.feature.intersections) return 0;
+// How much ink a mm has of the lines in which a part meets others, 0 where it has none, and of its
+// contours.
+std::array<double, 2> ink_of_lines(const Style& style, const Style& whole) {
   const Rgb paper = rgb_of(whole.sheet.paper).value_or(Rgb{255, 255, 255});
-  return style.line.intersection * contrast(line_ink(style, whole), paper);
+  const double ink = contrast(line_ink(style, whole), paper);
+  return {style.feature.intersections ? style.line.intersection * ink : 0,
+          style.line.contour * ink};
 }
 
 }  // namespace
@@ -109,13 +112,21 @@ bool PartStyles::any_transparent() const {
 }
 
 std::vector<double> PartStyles::meeting_ranks() const {
-  if (styles_.size() < 2) return {};
-  std::vector<double> inks;
-  for (const Style* style : styles_) inks.push_back(meeting_ink(*style, *styles_.front()));
+  if (styles_.size() < 2 && !any_transparent()) return {};
+  struct Shown {
+    std::array<double, 2> ink;
+    bool own;
+    auto operator<=>(const Shown&) const = default;
+  };
+  std::vector<Shown> shown;
+  for (const Style* style : styles_) {
+    shown.push_back({ink_of_lines(*style, *styles_.front()), style != styles_.front()});
+  }
   std::vector<double> ranks;
   for (const One& one : parts_) {
-    ranks.push_back(static_cast<double>(
-        std::ranges::count_if(inks, [&](double ink) { return ink < inks[one.style]; })));
+    const auto below =
+        std::ranges::count_if(shown, [&](const Shown& s) { return s < shown[one.style]; });
+    ranks.push_back(2 * static_cast<double>(below) + (one.transparent ? 0 : 1));
   }
   return ranks;
 }

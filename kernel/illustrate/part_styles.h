@@ -38,8 +38,10 @@ class PartStyles {
   bool transparent(std::size_t part) const { return parts_[part].transparent; }
   bool hatched(std::size_t part) const { return parts_[part].hatched; }
   bool any_transparent() const;
-  /// One a part: its place in the order of how much the lines show in which it meets others, from
-  /// 0; equal where they show as much. Empty where all parts have one style.
+  /// One a part: the order in which parts stand out where they meet or lie on each other, the
+  /// highest before the others. The more their lines show the higher, first those in which they
+  /// meet; of equal ones a look of its own before that of the drawing, then solid before
+  /// transparent. Empty where all are alike.
   std::vector<double> meeting_ranks() const;
 
   /// Styles that differ, in the order of the parts that bring them; the first is the drawing's.

@@ -79,7 +79,7 @@ Spans Sight::classify_transparent(std::span<const Curve3> strokes, const RunCont
   for (std::size_t part = 0; part < all.size(); ++part) {
     if (!all.transparent(part)) continue;
     const std::vector<const ProxyMesh*> proxies = all.proxies_before(part);
-    const Occluder occluder(proxies, context);
+    const Occluder occluder(proxies, context, all.tree_options());
     // All that cuts here; only the answers for the part itself are kept.
     const Picked cutting =
         pick(features_, [&](const Curve3& c) { return part_of(c) == part || is_solid(c); });

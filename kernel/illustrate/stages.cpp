@@ -115,7 +115,8 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
                              const PartStyles& part_styles, const IllustrateOptions& options,
                              std::span<const Area> areas) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
-                       .outline = style.halo.gap <= 0 && draws_outline(part_styles)};
+                       .outline = style.halo.gap <= 0 && draws_outline(part_styles),
+                       .ranks = part_styles.meeting_ranks()};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     verify.parts.push_back(!part_styles.drawn(i)        ? PartOpacity::Absent
                            : part_styles.transparent(i) ? PartOpacity::Transparent
@@ -173,7 +174,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     const auto proxies = view.occluders->proxies();
     std::vector<Curve3> features =
         extract_features(proxies, view.camera, view.features, said, context,
-                         {view.occluders->transparent(), view.ranks});
+                         {view.occluders->transparent(), view.occluders->ranks()});
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
@@ -255,9 +256,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   Diagnostics said;
   const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
   context.begin_stage(RunStage::Build);
-  const Solid solid{surfaces, transparent_ones(part_styles)};
+  const Solid solid{surfaces, transparent_ones(part_styles), part_styles.meeting_ranks()};
   const std::shared_ptr<const Occluders> trees = occluders_.get(solid, [&] {
-    return std::make_shared<Occluders>(solid.surfaces, solid.transparent, context);
+    return std::make_shared<Occluders>(solid.surfaces, solid.transparent, solid.ranks, context);
   });
   const auto proxies = trees->proxies();
   Drawing drawing = describe(scene, proxies, camera, style, options.seed);
@@ -284,8 +285,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
             draws_outline(part_styles),
             options.trails,
             options.magnified,
-            drawn_isophotes(part_styles, camera),
-            part_styles.meeting_ranks()};
+            drawn_isophotes(part_styles, camera)};
   if (!view.isophotes.empty()) view.pen = style.line.crease;
   const std::shared_ptr<Lines> features = lines_of(view, context);
   drawing.diagnostics.append(features->said);

@@ -43,6 +43,7 @@ class Stages {
   struct Solid {
     Surfaces surfaces;
     std::vector<bool> transparent;
+    std::vector<double> ranks;
     bool operator==(const Solid&) const = default;
   };
   /// Of a view; the occluders stand for the surfaces.
@@ -54,8 +55,6 @@ class Stages {
     std::vector<Curve3> trails;
     double magnified = 1;
     std::vector<Isophotes> isophotes;
-    /// `MeetingParts::ink`.
-    std::vector<double> ranks;
     /// Paper mm, for isophotes; else 0.
     double pen = 0;
     bool operator==(const View&) const = default;

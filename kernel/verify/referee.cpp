@@ -112,7 +112,8 @@ Referee::Referee(FineSurfaces surfaces, const Camera& camera, const RefereeOptio
     : surfaces_(std::move(surfaces)), camera_(camera), options_(options) {
   static const ProxyMesh nothing;
   for (const auto& surface : surfaces_) proxies_.push_back(surface ? &surface->proxy() : &nothing);
-  occluder_ = std::make_unique<Occluder>(proxies_, context);
+  occluder_ =
+      std::make_unique<Occluder>(proxies_, context, OccluderOptions{.ranks = options.ranks});
 }
 
 Referee::Sight Referee::describe(const Hit& hit, Vec2 paper) const {

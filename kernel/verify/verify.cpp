@@ -196,7 +196,8 @@ class Referees {
     const double fine = kFiner * std::min(options.tolerance, own);
     const FineSurfaces all = fine_surfaces(scene, fine, wanted, options.crease_angles, context);
     const double paper = camera.scale() * std::max(options.tolerance, own);
-    const RefereeOptions how{.radius = 2 * paper, .slack = paper + kFiner * kSheetTolerance};
+    const RefereeOptions how{
+        .radius = 2 * paper, .slack = paper + kFiner * kSheetTolerance, .ranks = options.ranks};
     FineSurfaces solid = all;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (flagged(options, i, PartOpacity::Transparent)) solid[i] = nullptr;

@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory_resource>
 #include <new>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -47,35 +48,40 @@ struct Part {
 };
 
 // The foremost of the hits that it is shown, in whatever order: of those that are within `tie` of
-// the nearest the one of the lowest part and triangle.
+// the nearest the one of the part that comes first in `order`, and of its lowest triangle.
 class Foremost {
  public:
-  explicit Foremost(double tie) : tie_(tie) { kept_.reserve(4); }
+  // `order`: the place of each part; empty: its number.
+  Foremost(double tie, std::span<const std::int32_t> order) : tie_(tie), order_(order) {
+    kept_.reserve(4);
+  }
 
   // No farther hit can be the one.
   double reach() const { return nearest_ + tie_; }
   void show(const Hit& hit) {
     if (hit.distance > reach()) return;
     nearest_ = std::min(nearest_, hit.distance);
-    // What is both farther and of a higher name than another is never asked for again.
+    // What is both farther and of a later name than another is never asked for again.
     if (std::ranges::any_of(kept_, [&](const Hit& k) { return beats(k, hit); })) return;
     std::erase_if(kept_, [&](const Hit& k) { return beats(hit, k) || k.distance > reach(); });
     kept_.push_back(hit);
   }
   std::optional<Hit> get() const {
     if (kept_.empty()) return std::nullopt;
-    return *std::ranges::min_element(kept_, {}, name);
+    return *std::ranges::min_element(kept_, {}, [&](const Hit& hit) { return name(hit); });
   }
 
  private:
-  static std::pair<std::int32_t, std::uint32_t> name(const Hit& hit) {
-    return {hit.where.part, hit.where.face};
+  std::pair<std::int32_t, std::uint32_t> name(const Hit& hit) const {
+    const std::int32_t part = hit.where.part;
+    return {order_.empty() ? part : order_[static_cast<std::size_t>(part)], hit.where.face};
   }
-  static bool beats(const Hit& a, const Hit& b) {
+  bool beats(const Hit& a, const Hit& b) const {
     return a.distance <= b.distance && name(a) < name(b);
   }
 
   double tie_, nearest_ = std::numeric_limits<double>::infinity();
+  std::span<const std::int32_t> order_;
   // Several are rare: no memory is asked for.
   std::array<std::byte, 4 * sizeof(Hit)> buffer_;
   std::pmr::monotonic_buffer_resource pool_{buffer_.data(), buffer_.size()};
@@ -159,10 +165,24 @@ void find_any(const RTCOccludedFunctionNArguments* args) {
   });
 }
 
+// The place of each part among those that lie on each other: higher ranks before lower ones, of
+// equal ones the lower number. Empty where that is the number itself.
+std::vector<std::int32_t> order_of(std::size_t parts, std::vector<double> ranks) {
+  ranks.resize(parts, 0);
+  if (std::ranges::is_sorted(ranks, std::ranges::greater{})) return {};
+  std::vector<std::size_t> sorted(parts);
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::ranges::stable_sort(sorted, std::ranges::greater{}, [&](std::size_t i) { return ranks[i]; });
+  std::vector<std::int32_t> order(parts);
+  for (std::size_t i = 0; i < parts; ++i) order[sorted[i]] = static_cast<std::int32_t>(i);
+  return order;
+}
+
 }  // namespace
 
 struct Occluder::Impl {
   std::vector<Part> parts;
+  std::vector<std::int32_t> order;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   detail::UnitFrame frame;
@@ -294,6 +314,7 @@ Occluder::Occluder(std::span<const ProxyMesh* const> proxies, const RunContext& 
   for (const ProxyMesh* proxy : proxies) {
     impl_->parts.push_back({&proxy->mesh, static_cast<std::int32_t>(impl_->parts.size()), {}, {}});
   }
+  impl_->order = order_of(proxies.size(), options.ranks);
   impl_->measure();
   impl_->build(options.embree, context);
 }
@@ -301,7 +322,7 @@ Occluder::Occluder(std::span<const ProxyMesh* const> proxies, const RunContext& 
 Occluder::~Occluder() = default;
 
 std::optional<Hit> Occluder::first_hit(Vec3 origin, Vec3 direction, double near, double far) const {
-  Foremost foremost(kTie * impl_->diagonal);
+  Foremost foremost(kTie * impl_->diagonal, impl_->order);
   Query query = impl_->query(origin, direction, near, far);
   query.foremost = &foremost;
   RTCRayHit ray;

@@ -2,16 +2,20 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
 
+#include "burin_test/ring_size.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -218,6 +222,84 @@ TEST(PartStyles, LinesInWhichPartsMeetAreThoseOfThePartThatShowsMore) {
   none.style = builtin_style("outline");
   none.style->feature.intersections = false;
   EXPECT_EQ(drawn(none, pale), (MeetingLines{{1, "#a0a0a0", usual}}));
+}
+
+// A block (part 1, or 0 where it is `first`) is let into a plate; their tops are one plane.
+Drawing flush(bool first, const PartStyle& plate, const PartStyle& block) {
+  Scene scene;
+  scene.parts.push_back(
+      {"plate", "plate", std::make_shared<MeshForm>(test::box({-20, -5, -15}, {20, 5, 15}))});
+  scene.parts.push_back(
+      {"block", "block", std::make_shared<MeshForm>(test::box({-8, -5, -6}, {8, 4, 6}))});
+  std::vector<PartStyle> styles{plate, block};
+  if (first) std::swap(scene.parts[0], scene.parts[1]), std::swap(styles[0], styles[1]);
+  RunContext context;
+  const NamedView v = named_view("front");
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = v.direction, .up = v.up, .scale = 2, .paper = {150, 100}});
+  Style style = builtin_style("flat");
+  return illustrate(scene, camera, style, {.part_styles = std::move(styles), .verify = true},
+                    context);
+}
+
+double area_of_part(const Drawing& drawing, const std::string& part) {
+  double sum = 0;
+  for (const Area& area : drawing.areas) {
+    if (drawing.parts[static_cast<std::size_t>(area.part)].name == part) {
+      sum += test::signed_area(area);
+    }
+  }
+  return sum;
+}
+
+// Nothing else tells which of both is seen: the one that is to stand out, in any order.
+TEST(PartStyles, OfPartsThatLieOnEachOtherTheOneThatShowsMoreIsSeen) {
+  constexpr double kPlate = 40 * 30 * 4, kBlock = 16 * 12 * 4;
+  PartStyle usual, pale, own;
+  pale.style = own.style = builtin_style("flat");
+  pale.style->line.color = "#a0a0a0";
+  own.style->fill.color = "#d00000";
+  const auto block_is_seen = [&](bool first, const PartStyle& plate, const PartStyle& block) {
+    const Drawing drawing = flush(first, plate, block);
+    EXPECT_EQ(drawing.stats.verify->wrong_patches, 0);
+    EXPECT_NEAR(area_of_part(drawing, "plate") + area_of_part(drawing, "block"), kPlate, 1);
+    EXPECT_TRUE(area_of_part(drawing, "block") < 1 ||
+                std::abs(area_of_part(drawing, "block") - kBlock) < 1);
+    return area_of_part(drawing, "block") > 1;
+  };
+  EXPECT_TRUE(block_is_seen(true, usual, usual));
+  EXPECT_FALSE(block_is_seen(false, usual, usual)) << "the first of equal ones";
+  for (const bool first : {true, false}) {
+    EXPECT_TRUE(block_is_seen(first, pale, usual));
+    EXPECT_FALSE(block_is_seen(first, usual, pale));
+    EXPECT_TRUE(block_is_seen(first, usual, own));
+    EXPECT_FALSE(block_is_seen(first, own, usual));
+    // Lines in which parts meet are not all: a style may have none.
+    pale.style->feature.intersections = false;
+    usual.style = builtin_style("flat");
+    usual.style->feature.intersections = false;
+    EXPECT_TRUE(block_is_seen(first, pale, usual));
+    usual.style.reset();
+    pale.style->feature.intersections = true;
+  }
+}
+
+TEST(PartStyles, OfGlassAndASolidPartThatLieOnEachOtherThatWhichShowsMoreIsSeen) {
+  PartStyle usual, glass, pale, pale_glass;
+  glass.transparent = pale_glass.transparent = true;
+  pale.style = pale_glass.style = builtin_style("flat");
+  pale.style->line.color = pale_glass.style->line.color = "#a0a0a0";
+  const auto glass_is_seen = [](bool first, const PartStyle& plate, const PartStyle& block) {
+    const Drawing drawing = flush(first, plate, block);
+    EXPECT_EQ(drawing.stats.verify->wrong_patches, 0);
+    return area_of_part(drawing, "block") > 1;
+  };
+  for (const bool first : {true, false}) {
+    EXPECT_FALSE(glass_is_seen(first, usual, glass)) << "of equal ones what is solid";
+    EXPECT_TRUE(glass_is_seen(first, pale, glass));
+    EXPECT_FALSE(glass_is_seen(first, usual, pale_glass));
+  }
 }
 
 TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {

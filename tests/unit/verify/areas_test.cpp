@@ -52,7 +52,8 @@ struct Shown {
     Diagnostics diagnostics;
   };
   /// Of areas alone.
-  Verdict judge(const std::vector<Area>& areas, std::vector<PartOpacity> parts = {}) const {
+  Verdict judge(const std::vector<Area>& areas, std::vector<PartOpacity> parts = {},
+                std::vector<double> ranks = {}) const {
     const Camera at = camera();
     const Isophotes light{tone::to_light(at, style.tone),
                           even_levels(static_cast<std::size_t>(style.fill.steps))};
@@ -64,6 +65,7 @@ struct Shown {
                       {.tolerance = 0.05 / at.scale(),
                        .parts = std::move(parts),
                        .outline = false,
+                       .ranks = std::move(ranks),
                        .areas = AreaRule{areas, {light, light}}},
                       v.diagnostics, context);
     return v;
@@ -186,6 +188,20 @@ TEST(VerifyAreas, GlassLiesOverWhatIsSeenThroughIt) {
   ASSERT_EQ(v.result.contradictions.size(), 2u);
   EXPECT_NEAR(v.result.contradictions[0].size, s.ball(), 0.05 * s.ball());
   EXPECT_EQ(v.result.contradictions[1].source.part, 1);
+}
+
+// A block that is flush in the box: the ranks say which of both is seen.
+TEST(VerifyAreas, OfPartsThatLieOnEachOtherOneIsRight) {
+  Shown s;
+  s.scene.parts[1].form = std::make_shared<MeshForm>(test::box({-8, 0, -6}, {8, 20, 6}));
+  s.style.fill.steps = 0;
+  const std::vector<Area> areas = s.draw().areas;
+  const double scale = s.camera().scale();
+  EXPECT_EQ(s.judge(areas).result.wrong_patches, 0);
+  EXPECT_EQ(s.judge(areas, {}, {1, 0}).result.wrong_patches, 0);
+  const auto v = s.judge(areas, {}, {0, 1});
+  ASSERT_EQ(v.result.wrong_patches, 1);
+  EXPECT_NEAR(v.result.wrong_area, 16 * 12 * scale * scale, 0.05 * 16 * 12 * scale * scale);
 }
 
 TEST(VerifyAreas, AreJudgedAlikeByAnyNumberOfThreads) {

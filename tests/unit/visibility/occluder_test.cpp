@@ -259,6 +259,27 @@ TEST(Occluder, MeetsEdgesWithinTheToleranceAndNoWallThatIsSeenEdgeOn) {
   EXPECT_GE(std::min({beside->bary.x, beside->bary.y, beside->bary.z}), 0);
 }
 
+TEST(Occluder, OfPartsThatLieOnEachOtherThatOfTheHighestRankComesFirst) {
+  // Two plates flush in a third, two triangles of each on the line of sight.
+  const TriMesh plate = test::box({-2, -2, 0}, {2, 2, 1}), in = test::box({-1, -1, 0.5}, {1, 1, 1});
+  const auto seen = [&](std::vector<double> ranks, Vec2 at = {0, 0}) {
+    const OccludedScene s({plate, in, in}, {.ranks = std::move(ranks)});
+    const auto hit = s.occluder->first_hit({at, 5}, {0, 0, -1}, 0, kFar);
+    const auto same = s.occluder->first_hit({at, 1}, {0, 0, -1}, 0, kFar);
+    EXPECT_EQ(name(*hit), name(*same));
+    return hit->where.part;
+  };
+  EXPECT_EQ(seen({}), 0);
+  EXPECT_EQ(seen({1, 1, 1}), 0);
+  EXPECT_EQ(seen({0, 1, 1}), 1);
+  EXPECT_EQ(seen({0, 1, 2}), 2);
+  EXPECT_EQ(seen({-1}), 1) << "others have 0";
+  EXPECT_EQ(seen({0, 1, 2}, {1.5, 0}), 0) << "alone there";
+  const OccludedScene s({plate, test::box({-1, -1, 0}, {1, 1, 1 - 1e-6})}, {.ranks = {0, 1}});
+  EXPECT_EQ(s.occluder->first_hit({0, 0, 5}, {0, 0, -1}, 0, kFar)->where.part, 0)
+      << "clearly behind";
+}
+
 TEST(Occluder, OwnsNothingInAnEmptyScene) {
   const OccludedScene none({}), bare({TriMesh{}});
   for (const OccludedScene* s : {&none, &bare}) {

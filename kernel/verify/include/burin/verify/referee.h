@@ -43,6 +43,8 @@ struct RefereeOptions {
   double radius = 0.1;
   /// Paper mm of depth or of place that both tessellations may be off together.
   double slack = 0.0625;
+  /// As `OccluderOptions` has them.
+  std::vector<double> ranks{};
 };
 
 /// One view of fine surfaces. Read by many threads.

@@ -30,6 +30,8 @@ struct VerifyOptions {
   std::vector<double> crease_angles{};
   /// Whether the outer outline is drawn whole, so that its loose ends are defects.
   bool outline = true;
+  /// `OccluderOptions::ranks` of the drawing.
+  std::vector<double> ranks{};
   /// Areas are tested where they are given; `AreaRule::glass` follows from `parts`.
   std::optional<AreaRule> areas{};
 };

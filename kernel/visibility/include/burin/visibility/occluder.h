@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -28,11 +29,13 @@ struct Hit {
   double distance = 0;
 };
 
-/// What a test may ask of an occluder.
 struct OccluderOptions {
   /// Embree's configuration, as "isa=sse2" for its code for processors of that kind; the answers
-  /// are the same.
-  std::string embree;
+  /// are the same. For tests.
+  std::string embree{};
+  /// One a part, or fewer (0): of parts that lie on each other the one of the highest rank is met
+  /// first.
+  std::vector<double> ranks{};
 };
 
 /// Built once, read by many threads. Which triangles a ray meets, and where, is decided in double
@@ -53,7 +56,7 @@ class Occluder {
 
   /// The first triangle that a ray meets between `near` and `far` model mm from its origin;
   /// `direction` is a unit vector. Of those that lie within 1e-10 of the diagonal behind it the one
-  /// of the lowest part, then of the lowest number.
+  /// of the highest rank, then of the lowest part, then of the lowest number.
   std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double near, double far) const;
   /// Whether any triangle that `ignore` does not name lies on the ray between `near` and `far`.
   bool occluded(Vec3 origin, Vec3 direction, double near, double far,
