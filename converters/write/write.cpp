@@ -23,11 +23,6 @@ bool among(std::string_view key, const Keys& keys) {
   return std::ranges::any_of(keys, [&](std::string_view k) { return key.starts_with(k); });
 }
 
-bool is_called(const Format& format, std::string_view name) {
-  return format.name == name ||
-         std::ranges::find(format.other_suffixes, name) != format.other_suffixes.end();
-}
-
 Format made_of(const AddedFormat& added) {
   return {added.name,
           {std::string(added.name) + "."},
@@ -51,13 +46,18 @@ const std::vector<Format>& formats() {
 
 bool is_own_format(std::string_view name) {
   static const std::vector<Format> own = detail::own_formats();
-  return std::ranges::any_of(own, [&](const Format& f) { return is_called(f, name); });
+  return std::ranges::find(own, name, &Format::name) != own.end();
 }
 
 const Format* format_named(std::string_view name) {
   const std::string wanted = lowered(name);
-  const auto found =
-      std::ranges::find_if(formats(), [&](const Format& f) { return is_called(f, wanted); });
+  auto found = std::ranges::find(formats(), wanted, &Format::name);
+  // A plug-in may have what is only another suffix of ours.
+  if (found == formats().end()) {
+    found = std::ranges::find_if(formats(), [&](const Format& f) {
+      return std::ranges::find(f.other_suffixes, wanted) != f.other_suffixes.end();
+    });
+  }
   return found == formats().end() ? nullptr : &*found;
 }
 
