@@ -71,6 +71,8 @@ class Planner {
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
     layers_ = by_color(ink_layers(drawing));
     areas_ = painted_areas(drawing).size();
+    stroked_ = std::ranges::any_of(
+        drawing.layers, [](const Layer& layer) { return layer.name.starts_with("stroke"); });
   }
 
   PenPlan run() {
@@ -263,12 +265,12 @@ class Planner {
              "there is no line on the sheet that a pen could draw");
     }
     if (areas_ > 0) {
-      report(Severity::Warning, "pen.fills", areas_,
-             fmt::format("a pen draws lines alone: the colours of {} areas are left out; "
-                         "fill.hatch=lines hatches areas (with fill.opacity=0 and "
-                         "fill.hatch_color=fill in their colours), hatch.enabled=true draws "
-                         "strokes in the shade",
-                         areas_));
+      report(
+          Severity::Warning, "pen.fills", areas_,
+          fmt::format("a pen draws lines alone: the colours of {} areas are left out; "
+                      "fill.hatch=lines hatches areas (with fill.opacity=0 and "
+                      "fill.hatch_color=fill in their colours){}",
+                      areas_, stroked_ ? "" : ", hatch.enabled=true draws strokes in the shade"));
     }
     if (cut_ > 0) {
       report(Severity::Warning, "pen.cut", cut_,
@@ -306,6 +308,7 @@ class Planner {
   std::vector<std::uint32_t> pen_of_;  // of each layer
   PenPlan plan_;
   std::size_t cut_ = 0, swelling_ = 0, other_dots_ = 0, areas_ = 0;
+  bool stroked_ = false;
 };
 
 }  // namespace

@@ -192,6 +192,10 @@ class Numbering {
 
 }  // namespace
 
+std::string stem_of(const Part& part) {
+  return instance_stem(part.definition.empty() ? part.name : part.definition);
+}
+
 std::string_view name_as_read(std::string_view name) {
   const std::size_t n = digits_at_end(name);
   const std::string_view rest = name.substr(0, name.size() - n);

@@ -103,10 +103,12 @@ void report_whole_drawing_keys(const PartStyles& part_styles, bool annotated,
     if (!annotated)
       std::erase_if(keys, [](const auto& key) { return key.starts_with("callout."); });
     if (keys.empty()) continue;
-    reported.insert(
-        fmt::format("{} of style '{}', which some parts have, {} no effect: such keys hold "
-                    "for the whole drawing (line.color is the colour of a part's lines)",
-                    fmt::join(keys, ", "), style->name, keys.size() > 1 ? "have" : "has"));
+    const bool ink = std::ranges::any_of(keys, [](const auto& key) { return key == "sheet.ink"; });
+    reported.insert(fmt::format(
+        "{} of style '{}', which some parts have, {} no effect: such keys hold for the whole "
+        "drawing{}",
+        fmt::join(keys, ", "), style->name, keys.size() > 1 ? "have" : "has",
+        ink ? " (line.color is the colour of a part's lines)" : ""));
   }
 }
 

@@ -57,35 +57,93 @@ bool leaves_parts_out(const Illustration& illustration) {
   });
 }
 
+/// How a part is filled; nothing where it is not drawn.
+const FillOptions* fill_of(const Illustration& illustration, std::size_t part) {
+  const auto& styles = illustration.illustrate.part_styles;
+  if (part >= styles.size()) return &illustration.style.fill;
+  if (!styles[part].drawn) return nullptr;
+  return &(styles[part].style ? *styles[part].style : illustration.style).fill;
+}
+
 /// Names the key that leaves colours out, where one does.
 void report_empty_legend(const Illustration& illustration, Scene& scene) {
-  bool left_out = false;
+  bool left_out = false, clear = false;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    const auto& styles = illustration.illustrate.part_styles;
-    const bool own = i < styles.size() && styles[i].style;
-    const FillOptions& fill = (own ? *styles[i].style : illustration.style).fill;
-    const bool drawn = i >= styles.size() || styles[i].drawn;
-    const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
-    left_out = left_out || (drawn && shown && !fill.legend);
+    const FillOptions* fill = fill_of(illustration, i);
+    if (!fill) continue;
+    const bool colored = fill->color != "none";
+    const bool hatched = fill->hatch.lines != FillHatch::Lines::None;
+    left_out = left_out || ((colored || hatched) && !fill->legend);
+    clear = clear || (colored && !hatched && fill->opacity <= 0);
   }
-  scene.diagnostics.add(Severity::Warning, "legend.empty", 1,
-                        left_out ? "fill.legend=false leaves all colours out of the legend, so "
-                                   "that none is drawn: set it to true, or leave out `legend`"
-                                 : "there is no colour for a legend: choose fill.color, or a style "
-                                   "that has colours, such as flat");
+  const char* why =
+      "there is no colour for a legend: choose fill.color, or a style that has "
+      "colours, such as flat";
+  if (left_out) {
+    why =
+        "fill.legend=false leaves all colours out of the legend, so that none is drawn: set it "
+        "to true, or leave out `legend`";
+  } else if (clear) {
+    why =
+        "fill.opacity=0 leaves no colour for a legend: set it to more than 0, or leave out "
+        "`legend`";
+  }
+  scene.diagnostics.add(Severity::Warning, "legend.empty", 1, why);
+}
+
+void report_alike(const Illustration& illustration, std::size_t rows, Scene& scene) {
+  const bool own = illustration.style.fill.color == "part" && illustration.style.fill.ink.empty();
+  scene.diagnostics.add(
+      Severity::Warning, "legend.alike", static_cast<std::int64_t>(rows),
+      own ? "all parts have one colour in the input, so that the legend does not tell them apart: "
+            "give some another by `highlight`"
+          : "all parts have one colour, so that the legend does not tell them apart: choose a "
+            "style in which parts have their own, such as flat");
+}
+
+/// Whether parts that get a colour of the palette, by their name, are called the same though they
+/// are of several forms.
+bool palette_asks_for_shapes(const Scene& scene, const Illustration& illustration) {
+  std::map<std::string, const Form*> forms;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const Part& part = scene.parts[i];
+    const FillOptions* fill = fill_of(illustration, i);
+    if (!fill || fill->color != "part" || !part.color.empty()) continue;
+    if (forms.try_emplace(stem_of(part), part.form.get()).first->second != part.form.get())
+      return true;
+  }
+  return false;
+}
+
+/// Numbers the shapes of each name, in the order of items.
+void tell_shapes_apart(Scene& scene, const std::vector<Item>& items) {
+  std::map<std::string, std::size_t> known;
+  for (const Item& item : items) {
+    std::map<std::string, std::size_t> own;  // of the item
+    for (const std::size_t i : item.parts) {
+      Part& part = scene.parts[i];
+      const auto [at, fresh] = own.try_emplace(stem_of(part), 0);
+      if (fresh) at->second = known[at->first]++;
+      part.shape_of_name = at->second;
+    }
+  }
 }
 
 }  // namespace
 
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context) {
-  if (!illustration.callouts && !illustration.parts_list && !illustration.legend &&
-      !illustration.items)
-    return;
+  const bool listed =
+      illustration.callouts || illustration.parts_list || illustration.legend || illustration.items;
+  const bool by_shape = palette_asks_for_shapes(scene, illustration);
+  if (!listed && !by_shape) return;
   context.begin_stage(RunStage::Build);
-  const std::vector<Item> items =
-      find_items(scene, illustration.numbers, scene.diagnostics, context,
-                 unlisted_of(illustration.illustrate.part_styles));
+  Diagnostics unasked;
+  const std::vector<Item> items = find_items(scene, listed ? illustration.numbers : ItemNumbers{},
+                                             listed ? scene.diagnostics : unasked, context,
+                                             unlisted_of(illustration.illustrate.part_styles));
   context.end_stage();
+  if (by_shape) tell_shapes_apart(scene, items);
+  if (!listed) return;
   report_holes(illustration.numbers, items, scene.diagnostics);
   Annotations annotations;
   annotations.callouts = illustration.callouts;
@@ -115,10 +173,7 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
     if (annotations.legend.empty()) {
       report_empty_legend(illustration, scene);
     } else if (are_alike(annotations.legend) && !leaves_parts_out(illustration)) {
-      scene.diagnostics.add(Severity::Warning, "legend.alike",
-                            static_cast<std::int64_t>(annotations.legend.size()),
-                            "all parts have one colour, so that the legend does not tell them "
-                            "apart: choose a style in which parts have their own, such as flat");
+      report_alike(illustration, annotations.legend.size(), scene);
     }
   }
   illustration.illustrate.annotations = std::move(annotations);

@@ -31,21 +31,17 @@ constexpr double kNextRound = 0.85;
 constexpr double kGlass = 0.25;
 constexpr Rgb kWhite{255, 255, 255};
 
-// What copies of a part have in common, whatever they are called.
-std::string kind_of(const Part& part) {
-  return std::string(instance_stem(part.definition.empty() ? part.name : part.definition));
-}
-
 /// A colour for each part that the input gives none.
 std::vector<std::string> colors_of_parts(const Scene& scene) {
-  std::map<std::string, std::size_t> kinds;
+  std::map<std::pair<std::string, std::size_t>, std::size_t> kinds;
   std::vector<std::string> colors;
   for (const Part& part : scene.parts) {
     if (!part.color.empty()) {
       colors.push_back(part.color);
       continue;
     }
-    const std::size_t number = kinds.try_emplace(kind_of(part), kinds.size()).first->second;
+    const std::size_t number =
+        kinds.try_emplace({stem_of(part), part.shape_of_name}, kinds.size()).first->second;
     Rgb color = kPalette[number % kPalette.size()];
     for (std::size_t round = number / kPalette.size(); round > 0; --round) {
       color = with_lightness(color, kNextRound);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -276,6 +277,26 @@ bool legend_is_clear(const Drawing& drawing) {
     }
   }
   return !legend.empty() && !legend.overlaps(parts);
+}
+
+TEST(Arrange, PartsOfOneNameAndSeveralShapesHaveSeveralColours) {
+  Scene scene;
+  scene.parts = {part("plates", {0, 0, 0}, {10, 10, 2}), part("plates #2", {20, 0, 0}, {30, 10, 2}),
+                 part("plates #3", {0, 20, 0}, {10, 30, 8}), part("rod", {20, 20, 0}, {21, 21, 9})};
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  for (const bool legend : {false, true}) {
+    illustration.legend = legend;
+    RunContext context;
+    const Drawing drawing = illustrate(scene, illustration, context);
+    std::map<std::int32_t, std::string> fill;
+    for (const Area& area : drawing.areas) {
+      if (area.role.empty()) fill[area.part] = area.fill;
+    }
+    EXPECT_EQ(fill.at(0), fill.at(1)) << "copies";
+    const std::set<std::string> all{fill.at(0), fill.at(2), fill.at(3)};
+    EXPECT_EQ(all.size(), 3u);
+  }
 }
 
 TEST(Arrange, ALegendThatTellsNothingApartIsTold) {

@@ -73,6 +73,24 @@ TEST(Section, ABoxKeepsItsHalf) {
   EXPECT_EQ(box.min, Vec3(0));
 }
 
+TEST(Section, WhatClosesAPlaneIsOneFaceOfAMesh) {
+  TriMesh both = test::box({0, 0, 0}, {2, 3, 4});
+  const auto first = static_cast<std::uint32_t>(both.positions.size());
+  for (const Vec3& p : test::box({0, 5, 0}, {2, 8, 4}).positions) both.positions.push_back(p);
+  for (const Triangle& t : test::box({0, 5, 0}, {2, 8, 4}).triangles) {
+    both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const auto surface = realised(cut_form(mesh(both), {{1, 0, 0}, 0.5}, 1, "boxes"));
+  const ProxyMesh& proxy = surface->proxy();
+  std::set<std::int32_t> kept, closing;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    (proxy.is_cut(f) ? closing : kept).insert(proxy.face_source(f));
+  }
+  EXPECT_EQ(kept.size(), 10u);
+  EXPECT_EQ(closing.size(), 1u) << "two regions, in whatever order";
+  EXPECT_FALSE(kept.contains(*closing.begin()));
+}
+
 TEST(Section, AreasOfATorusAreThoseOfTheFormulas) {
   const auto torus = mesh(test::torus(10, 4, 400, 200));
   EXPECT_NEAR(cut_area(realised(cut_form(torus, {{0, 1, 0}, 0}, 0, ""))->proxy()), 2 * kPi * 16,

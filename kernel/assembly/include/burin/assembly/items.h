@@ -49,6 +49,10 @@ std::string_view name_as_read(std::string_view name);
 /// " (4)", "-5", "Bolt001"; the name itself where nothing else would be left.
 std::string instance_stem(std::string_view name);
 
+/// `instance_stem` of what a part is an instance of, or else of its own name: what copies of a part
+/// have in common, whatever they are called.
+std::string stem_of(const Part& part);
+
 /// The items of a scene, by number.
 ///
 /// Two parts are of one item where they have one name and one shape. Names are those of what they

@@ -59,9 +59,13 @@ struct ProxyMesh {
     return !cut_plane.empty() && cut_plane[static_cast<std::size_t>(region)] >= 0;
   }
   bool is_cut(std::uint32_t face) const { return is_cut_region(face_region[face]); }
-  /// The face of the input of a triangle: the smooth region where the mesh is its own source.
+  /// The face of the input of a triangle. Where the mesh is its own source: the smooth region; of
+  /// what closes a cut, whose regions come in no order, one number a plane behind all regions.
   std::int32_t face_source(std::uint32_t face) const {
-    return source_face.empty() ? face_region[face] : source_face[face];
+    if (!source_face.empty()) return source_face[face];
+    const std::int32_t region = face_region[face];
+    return is_cut_region(region) ? region_count + cut_plane[static_cast<std::size_t>(region)]
+                                 : region;
   }
 
   bool closed(std::uint32_t face) const {

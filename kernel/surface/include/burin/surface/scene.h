@@ -109,6 +109,9 @@ struct Part {
   /// what a module of OpenSCAD makes in a second colour: a parts list counts them once, and nothing
   /// takes them apart.
   bool joined = false;
+  /// Which of the shapes this is that the input calls the same, from 0, where that was asked: each
+  /// has a colour of its own.
+  std::size_t shape_of_name = 0;
   /// What this is one body of, where a part was split into its bodies: shared by all of them, so
   /// that lists count one part. Absent: this is a part by itself.
   std::shared_ptr<const Part> whole = {};
