@@ -242,7 +242,7 @@ class CurveMaker {
   bool hidden(const Link& l) const {
     if (!a_.proxy->closed(l.face_a) || !b_.proxy->closed(l.face_b)) return false;
     const Vec3 v = camera_.to_viewer(0.5 * (l.from + l.to));
-    const bool seen_through = b_.transparent && !a_.transparent;
+    const bool seen_through = b_.transparent && a_.part != b_.part;
     return glm::dot(a_.proxy->mesh.normal(l.face_a), v) < 0 ||
            (!seen_through && glm::dot(b_.proxy->mesh.normal(l.face_b), v) < 0);
   }

@@ -148,6 +148,12 @@ std::vector<Candidates> candidates(const std::vector<Component>& all,
   return out;
 }
 
+/// As they are between `b` and `a`.
+std::vector<PairSegment> mirrored(std::vector<PairSegment> segments) {
+  for (PairSegment& s : segments) std::swap(s.face_a, s.face_b);
+  return segments;
+}
+
 }  // namespace
 
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
@@ -181,8 +187,13 @@ std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxie
           std::swap(a, b);
           std::swap(of_a, of_b);
         }
-        const auto segments = intersect_triangles(*a.proxy, of_a, *b.proxy, of_b, context);
+        const std::vector<PairSegment> segments =
+            intersect_triangles(*a.proxy, of_a, *b.proxy, of_b, context);
         found[i] = chain_intersections(segments, a, b, camera);
+        // Neither hides lines of the other: it is a line of both, as each of them shows it.
+        if (!a.transparent || !b.transparent || a.part == b.part) return;
+        std::ranges::move(chain_intersections(mirrored(segments), b, a, camera),
+                          std::back_inserter(found[i]));
       },
       &context);
   std::vector<Curve3> curves;

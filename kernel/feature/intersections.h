@@ -26,8 +26,10 @@ struct PieceOfPart {
 };
 
 /// The intersection curves of all components, of different parts or of one. They run in the concave
-/// edge of the union: on closed surfaces they are self-hidden where either surface is turned away;
-/// of a solid and a transparent part where the solid one is, whose they are.
+/// edge of the union: on closed surfaces they are self-hidden where either surface is turned away.
+/// A transparent part hides none of another one: those of a solid and a transparent part are the
+/// solid one's, and self-hidden where that is turned away; those of two transparent parts are there
+/// twice, for each as it shows them.
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
                                         const Camera& camera, const MeetingParts& meeting,
                                         Diagnostics& diagnostics, const RunContext& context);

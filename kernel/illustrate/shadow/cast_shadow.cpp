@@ -2,6 +2,7 @@
 
 #include <burin/base/parallel.h>
 #include <burin/base/smoothstep.h>
+#include <burin/mesh/chord_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +23,21 @@ constexpr double kStraight = 0.008;
 /// Paper mm between two places of a shadow that no place of the outline lies between: where they
 /// are farther apart it has jumped.
 constexpr double kJump = 0.1;
+/// mm of the light's sheet beside an outline within which its own sheet may stand before it: there
+/// the zero of the normals is not the fold of the triangles, which hide (kernel/visibility).
+constexpr double kOwnFold = 0.1;
 /// Cosine to the light below which a plane is not looked for a place.
 constexpr double kEdgeOnLight = 0.02;
 /// Outlines that a thread throws in a row.
 constexpr std::size_t kGrain = 4;
 
-/// Model mm that a triangle may lie beside what it stands for.
-double sagitta(const ProxyMesh& proxy, std::uint32_t face) {
-  double most = 0;
-  for (const std::uint32_t w : proxy.wedges[face]) {
-    most = std::max(most, static_cast<double>(proxy.wedge_sagitta[w]));
-  }
-  return most;
+/// Whether a triangle stands for something round: normals at its corners are not its own.
+bool is_round(const ProxyMesh& proxy, std::uint32_t face) {
+  constexpr double kOwn = 1 - 1e-6;  // a cosine, of 0.08 degrees
+  const Vec3 normal = proxy.mesh.normal(face);
+  return std::ranges::any_of(proxy.wedges[face], [&](std::uint32_t w) {
+    return glm::dot(proxy.wedge_normal[w], normal) < kOwn;
+  });
 }
 
 /// Throws outlines.
@@ -127,7 +131,7 @@ class Thrower {
     if (face >= 0) {
       const auto f = static_cast<std::uint32_t>(face);
       const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(outline.source.part)];
-      side.off += 2 * sagitta(proxy, f);
+      side.off += 2 * chord_error(proxy, f);
       if (outline.kind == LineClass::Boundary) {
         outward = side.a - proxy.position(f, Vec3(1.0 / 3.0));
       }
@@ -137,9 +141,16 @@ class Thrower {
   }
 
   Thrown thrown(const Side& side, double t) const {
-    const Vec3 p = side.at(t), beside = p + side.off * side.open;
-    if (occluder_.occluded(beside + side.off * to_light_, to_light_, 0, far_)) return {t, {}};
-    const auto hit = occluder_.first_hit(beside + side.off * to_light_, -to_light_, 0, far_);
+    const Vec3 p = side.at(t);
+    const auto lit = [&](double off) -> std::optional<Vec3> {
+      const Vec3 beside = p + off * (side.open + to_light_);
+      if (occluder_.occluded(beside, to_light_, 0, far_)) return std::nullopt;
+      return beside;
+    };
+    auto from = lit(side.off);
+    if (!from) from = lit(side.off + kOwnFold / light_scale_);
+    if (!from) return {t, {}};
+    const auto hit = occluder_.first_hit(*from, -to_light_, 0, far_);
     if (!hit) return {t, {}};
     // Beside the outline something was met; the outline itself falls on the plane of that.
     const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(hit->where.part)];
@@ -159,7 +170,7 @@ class Thrower {
     if (proxies_[part]->is_cut(where.face)) return true;
     const Isophotes& tone = tones_[part];
     if (!proxies_[part]->closed(where.face) && glm::dot(normal, to_light_) < 0) normal = -normal;
-    const double more = sagitta(*proxies_[part], where.face) > 0 ? kRound : kFlat;
+    const double more = is_round(*proxies_[part], where.face) ? kRound : kFlat;
     return glm::dot(normal, tone.light) / glm::length(tone.light) + more < tone.levels.front();
   }
 
@@ -224,7 +235,7 @@ bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const View
   constexpr double kGrazing = 0.05, kSquare = 0.2;
   const double doubt = 1 - smoothstep(kGrazing, kSquare, glm::dot(normal, to_light));
   const double step = 4 * solid.resolution();
-  const double off = step + doubt * 2 * sagitta(proxy, where.face);
+  const double off = step + doubt * 2 * chord_error(proxy, where.face);
   const Vec3 from = at.position + off * normal;
   const double far = 2 * solid.diagonal();
   if (!depths.needed()) return solid.occluded(from, to_light, 0, far);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 namespace burin::test {
@@ -68,6 +69,40 @@ TEST(Intersection, BelongsToThePartWhoseLinesShowMore) {
   EXPECT_EQ(parts({.ink = {2, 1}}), std::set<std::int32_t>{0});
   // What is solid has the line, whatever shows more.
   EXPECT_EQ(parts({.transparent = {false, true}, .ink = {1, 2}}), std::set<std::int32_t>{0});
+}
+
+// Each shows the line where its own surface does, whichever way the other is turned.
+TEST(Intersection, OfTwoTransparentPartsIsALineOfBoth) {
+  const Looked s({box({-4, -1, -1}, {4, 1, 1}), box({-0.5, -4, -0.5}, {0.5, 4, 0.5})},
+                 {.direction = {1, -2, 3}});
+  const std::vector<const ProxyMesh*> proxies{&s.proxies[0], &s.proxies[1]};
+  Diagnostics said;
+  // Of each part: shown and self-hidden.
+  const auto lengths = [&](const MeetingParts& meeting) {
+    std::array<std::array<double, 2>, 2> sums{};
+    for (const Curve3& c : extract_features(proxies, s.camera, {}, said, s.context, meeting)) {
+      if (c.kind != LineClass::Intersection) continue;
+      for (std::size_t i = 0; i < c.segment_count(); ++i) {
+        sums[static_cast<std::size_t>(c.source.part)][c.self_hidden[i]] +=
+            glm::distance(c.points[i], c.points[c.next(i)]);
+      }
+    }
+    return sums;
+  };
+  // Two squares, where the second bar comes out of the first. Of solid bars two sides of the one in
+  // front are seen, on the front of both.
+  const auto solid = lengths({});
+  EXPECT_NEAR(solid[0][0], 2, 1e-9);
+  EXPECT_NEAR(solid[0][1], 6, 1e-9);
+  EXPECT_EQ(solid[1][0] + solid[1][1], 0);
+  const auto glass = lengths({.transparent = {true, true}});
+  EXPECT_NEAR(glass[0][0], 4, 1e-9) << "the square on the side that is turned to the viewer";
+  EXPECT_NEAR(glass[0][1], 4, 1e-9);
+  EXPECT_NEAR(glass[1][0], 4, 1e-9) << "two sides of both squares";
+  EXPECT_NEAR(glass[1][1], 4, 1e-9);
+  const auto one = lengths({.transparent = {false, true}});
+  EXPECT_NEAR(one[0][0], 4, 1e-9);
+  EXPECT_EQ(one[1][0] + one[1][1], 0);
 }
 
 TEST(Intersection, TwoComponentsOfOnePart) {

@@ -224,6 +224,45 @@ TEST(PartStyles, LinesInWhichPartsMeetAreThoseOfThePartThatShowsMore) {
   EXPECT_EQ(drawn(none, pale), (MeetingLines{{1, "#a0a0a0", usual}}));
 }
 
+// Two crossing bars.
+TEST(PartStyles, LinesOfGlassInGlassAreSeenAsItsOtherLines) {
+  Scene scene;
+  scene.parts.push_back(
+      {"long", "long", std::make_shared<MeshForm>(test::box({-30, -6, -6}, {30, 6, 6}))});
+  scene.parts.push_back(
+      {"up", "up", std::make_shared<MeshForm>(test::box({-4, -4, -30}, {4, 4, 30}))});
+  PartStyle usual, glass;
+  glass.transparent = true;
+  const auto lengths = [&](const PartStyle& other) {
+    RunContext context;
+    const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                      {.direction = {1, -2, 1.5}, .scale = 2});
+    const Drawing drawing = illustrate(
+        scene, camera, builtin_style("outline"),
+        {.hidden = HiddenLines::Dashed, .part_styles = {glass, other}, .verify = true}, context);
+    EXPECT_EQ(drawing.stats.verify->contradicted, 0);
+    double seen = 0, hidden = 0;
+    for (const Layer& layer : drawing.layers) {
+      for (const Path& path : layer.paths) {
+        if (path.kind != LineClass::Intersection) continue;
+        for (std::size_t i = 0; i + 1 < path.points3.size(); ++i) {
+          (path.visible ? seen : hidden) += glm::distance(path.points3[i], path.points3[i + 1]);
+        }
+        if (path.closed) seen += glm::distance(path.points3.front(), path.points3.back());
+      }
+    }
+    return std::pair(seen, hidden);
+  };
+  // The square on the top of the long bar, and two sides of that below, on the front of the other.
+  const auto [seen, hidden] = lengths(glass);
+  EXPECT_NEAR(seen, 6 * 8, 0.1);
+  EXPECT_NEAR(hidden, 2 * 8, 0.1);
+  // Those of a solid bar are where it is seen.
+  const auto [seen_of_one, hidden_of_one] = lengths(usual);
+  EXPECT_NEAR(seen_of_one, 4 * 8, 0.1);
+  EXPECT_NEAR(hidden_of_one, 4 * 8, 0.1);
+}
+
 // A block (part 1, or 0 where it is `first`) is let into a plate; their tops are one plane.
 Drawing flush(bool first, const PartStyle& plate, const PartStyle& block) {
   Scene scene;

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace burin {
@@ -80,6 +81,27 @@ TEST_P(RealParts, AreNotContradicted) {
   const fs::path path = fs::path(BURIN_TEST_DATA) / GetParam().file;
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
   check(path, GetParam());
+}
+
+// With shadows on parts: no patch of an area has another part or tone than rays see.
+void check_shadows(const fs::path& path, std::optional<double> perspective) {
+  RunContext context;
+  const Scene scene = read_scene({path.string()}, {}, context);
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = named_view("iso").direction, .perspective = perspective});
+  const Drawing drawing =
+      illustrate(scene, camera, builtin_style("shaded"), {.verify = true}, context);
+  ASSERT_TRUE(drawing.stats.verify);
+  EXPECT_GT(drawing.stats.verify->area, 1000);
+  EXPECT_EQ(drawing.stats.verify->wrong_area, 0) << path;
+}
+
+// Light falls past an edge of long facets.
+TEST(Shadows, OfRealPartsAreNotContradicted) {
+  const fs::path path = fs::path(BURIN_TEST_DATA) / "step/nist/nist_ctc_02_asme1_ap242-e2.stp";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+  check_shadows(path, 40);
 }
 
 // The outer outline alone: it has no end, and nothing of it is missing.

@@ -36,7 +36,8 @@ struct MeetingParts {
 /// same for every view; -1 for contours inside regions and for intersections. Intersections belong
 /// to one of both parts (`MeetingParts::ink`), have crease_sign -1 and are not `occluding`. Of a
 /// solid part and a transparent one they belong to the solid one, and are `self_hidden` where that
-/// is turned away, whichever way the other is.
+/// is turned away, whichever way the other is. Those of two transparent parts are found twice, for
+/// each as it shows them alone, first for the one that they belong to.
 ///
 /// Proxies that know their source: `source.edge` is the edge of the input, one per curve, and
 /// `source.face` the face of the input. A contour runs on over all faces of a smooth region;
@@ -46,8 +47,8 @@ struct MeetingParts {
 ///
 /// `self_hidden` is set on closed components alone: creases and smooth edges with both sides
 /// turned away, folds in a hollow, contours whose far side is in front, intersections with either
-/// surface turned away. Per point `normals`, per segment `faces` and `self_hidden` are always
-/// present.
+/// surface turned away that hides. Per point `normals`, per segment `faces` and `self_hidden` are
+/// always present.
 ///
 /// Left out, by limits in paper mm: closed contours that are noise (diagnostic
 /// "feature.noise_loops"), short weak creases that separate nothing, intersections where parts

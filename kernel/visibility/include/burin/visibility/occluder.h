@@ -29,6 +29,7 @@ struct Hit {
   double distance = 0;
 };
 
+/// How an occluder answers.
 struct OccluderOptions {
   /// Embree's configuration, as "isa=sse2" for its code for processors of that kind; the answers
   /// are the same. For tests.
