@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -19,51 +18,6 @@ namespace {
 
 /// Of the largest coordinate: corners of cuts are exact but for their last rounding.
 constexpr double kCutDigits = 1e-9;
-
-/// The corners of a triangle by their coordinates, beginning with the least: repair may number
-/// points anew, but moves none.
-struct Corners {
-  std::array<Vec3, 3> at;
-  bool operator==(const Corners&) const = default;
-};
-
-bool before(const Vec3& a, const Vec3& b) {
-  return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
-}
-
-Corners corners_of(const std::vector<Vec3>& positions, const Triangle& t) {
-  Corners c{{positions[t[0]], positions[t[1]], positions[t[2]]}};
-  std::ranges::sort(c.at, before);
-  return c;
-}
-
-struct HashCorners {
-  std::size_t operator()(const Corners& c) const {
-    std::uint64_t h = 0;
-    for (const Vec3& p : c.at) {
-      for (int k = 0; k < 3; ++k) {
-        h = (h ^ std::bit_cast<std::uint64_t>(p[k] + 0.0)) * 0x9e3779b97f4a7c15ULL;
-        h ^= h >> 29;
-      }
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
-
-/// For each triangle of the repaired mesh what it stands for.
-std::vector<std::int32_t> surfaces_of(const csg::Solid& solid, const TriMesh& mesh) {
-  if (mesh.triangles == solid.triangles && mesh.positions == solid.positions) return solid.surface;
-  std::unordered_map<Corners, std::int32_t, HashCorners> known;
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    known.emplace(corners_of(solid.positions, solid.triangles[t]), solid.surface[t]);
-  }
-  std::vector<std::int32_t> out;
-  for (const Triangle& t : mesh.triangles) {
-    const auto at = known.find(corners_of(mesh.positions, t));
-    out.push_back(at == known.end() ? csg::kMeantFlat : at->second);
-  }
-  return out;
-}
 
 /// Whether facets meet in an edge that a mesh would take for a smooth one: by less than the crease
 /// angle, and more than what rounding makes of one plane.
@@ -95,12 +49,13 @@ bool has_gentle_edges(const TriMesh& mesh) {
 }  // namespace
 
 TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& diagnostics,
-                 const RunContext& context) {
+                 const RunContext& context, std::vector<std::int32_t>* surfaces) {
   constexpr std::array<std::string_view, 4> kOfRounding{
       "mesh.degenerate_faces", "mesh.zero_area_faces", "mesh.nonmanifold_edges",
       "mesh.nonmanifold_vertices"};
   Diagnostics found;
-  TriMesh mesh = repair(soup_of(solid), {}, found, context);
+  if (surfaces) *surfaces = solid.surface;
+  TriMesh mesh = repair(soup_of(solid), {}, found, context, surfaces);
   for (Diagnostic d : found.entries()) {
     if (std::ranges::find(kOfRounding, d.code) != kOfRounding.end()) continue;
     if (!name.empty()) d.message = name + ": " + d.message;
@@ -121,18 +76,17 @@ PolygonSoup soup_of(const csg::Solid& solid) {
 
 std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::string& name,
                                     Diagnostics& diagnostics, const RunContext& context) {
-  TriMesh mesh = repaired(solid, name, diagnostics, context);
+  KnownSurfaces known;
+  TriMesh mesh = repaired(solid, name, diagnostics, context, &known.of);
   if (facets == Facets::Judged) {
-    std::ranges::replace(solid.surface, csg::kMeantFlat, KnownSurfaces::kUnknown);
+    std::ranges::replace(known.of, csg::kMeantFlat, KnownSurfaces::kUnknown);
   }
   const bool flat =
-      std::ranges::all_of(solid.surface, [](std::int32_t s) { return s == csg::kMeantFlat; });
+      std::ranges::all_of(known.of, [](std::int32_t s) { return s == csg::kMeantFlat; });
   // What is meant flat stays flat, however gently it meets its neighbours.
   if (facets == Facets::Flat || (flat && !has_gentle_edges(mesh))) {
     return std::make_shared<MeshForm>(std::move(mesh));
   }
-  KnownSurfaces known;
-  known.of = surfaces_of(solid, mesh);
   // Diagonals of other facets leave corners in the middle of edges that stand for rims.
   remove_straight_corners(mesh, {.digits = kCutDigits}, context, &known.of);
   known.surfaces = std::move(solid.surfaces);

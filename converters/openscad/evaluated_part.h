@@ -12,13 +12,15 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace burin::detail {
 
 /// Repairs what was worked out. Rounded corners fall together and solids touch along edges: of a
 /// program that is right nobody has to hear so. `name`: what the rest is said of; may be empty.
+/// `surfaces`: becomes Solid::surface of the triangles of the mesh.
 TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& diagnostics,
-                 const RunContext& context);
+                 const RunContext& context, std::vector<std::int32_t>* surfaces = nullptr);
 
 PolygonSoup soup_of(const csg::Solid& solid);
 

@@ -112,7 +112,7 @@ void join_tiny_edges(TriMesh& mesh) {
   }
 }
 
-std::int64_t drop_duplicates(TriMesh& mesh, const RunContext& context) {
+std::int64_t drop_duplicates(TriMesh& mesh, Numbers* of, const RunContext& context) {
   const Copies copies = find_copies(mesh, context);
   if (std::ranges::all_of(copies.kind, [](Copy c) { return c == Copy::None; })) return 0;
   Patches twins(copies, Copy::Twin), same(copies, Copy::Same);
@@ -142,7 +142,7 @@ std::int64_t drop_duplicates(TriMesh& mesh, const RunContext& context) {
   for (std::uint32_t t = 0; t < drop.size(); ++t) {
     if (drop[t]) mesh.triangles[t] = {0, 0, 0};
   }
-  return static_cast<std::int64_t>(std::erase_if(mesh.triangles, repeats_corner));
+  return erase_triangles(mesh, of, repeats_corner);
 }
 
 }  // namespace burin::repair_stages

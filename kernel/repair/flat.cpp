@@ -8,8 +8,8 @@ namespace {
 
 class FlatRemover {
  public:
-  FlatRemover(TriMesh& mesh, std::vector<std::uint32_t>& opposite)
-      : mesh_(mesh), opposite_(opposite) {}
+  FlatRemover(TriMesh& mesh, std::vector<std::uint32_t>& opposite, Numbers* of)
+      : mesh_(mesh), opposite_(opposite), of_(of) {}
   void run(bool drop_all, RepairCounts& counts, const RunContext& context);
   void drop_pockets();
 
@@ -30,6 +30,7 @@ class FlatRemover {
 
   TriMesh& mesh_;
   std::vector<std::uint32_t>& opposite_;
+  Numbers* of_;
 };
 
 std::uint32_t FlatRemover::longest(std::uint32_t t) const {
@@ -59,7 +60,7 @@ bool FlatRemover::joined(std::uint32_t h, std::uint32_t v) const {
   return false;
 }
 
-/// x -> y with apex b, and y -> x with apex d, become x d b and d y b.
+/// x -> y with apex b, and y -> x with apex d, become x d b and d y b. The first has no area.
 bool FlatRemover::turn(std::uint32_t h) {
   const std::uint32_t g = opposite_[h];
   const std::uint32_t x = from(mesh_, h), y = to(mesh_, h), b = apex(mesh_, h), d = apex(mesh_, g);
@@ -72,6 +73,7 @@ bool FlatRemover::turn(std::uint32_t h) {
   }
   mesh_.triangles[s] = {x, d, b};
   mesh_.triangles[t] = {d, y, b};
+  if (of_) (*of_)[s] = (*of_)[t];
   link(3 * s, xd);
   link(3 * s + 1, 3 * t + 2);
   link(3 * s + 2, bx);
@@ -127,9 +129,9 @@ void FlatRemover::drop_pockets() {
 
 }  // namespace
 
-void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, bool drop,
+void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, Numbers* of, bool drop,
                  RepairCounts& counts, const RunContext& context) {
-  FlatRemover remover(mesh, opposite);
+  FlatRemover remover(mesh, opposite, of);
   remover.run(drop, counts, context);
   remover.drop_pockets();
 }

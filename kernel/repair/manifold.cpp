@@ -12,13 +12,14 @@ namespace {
 /// Two pairs of partners may still have the same ends, where a fan comes by one neighbour twice: a
 /// new vertex in the middle of all pairs but one tells them apart and changes no shape. Returns
 /// whether there was one.
-bool split_repeated_edges(TriMesh& mesh, const RunContext& context) {
+bool split_repeated_edges(TriMesh& mesh, Numbers* of, const RunContext& context) {
   EdgeGroups edges = group_edges(mesh, context);
   std::vector<std::uint8_t> touched(mesh.triangles.size(), 0);  // its half-edges are out of date
   const auto insert = [&](std::uint32_t h, std::uint32_t middle) {
     const std::uint32_t x = from(mesh, h), y = to(mesh, h), b = apex(mesh, h);
     mesh.triangles[h / 3] = {x, middle, b};
     mesh.triangles.push_back({middle, y, b});
+    if (of) of->push_back((*of)[h / 3]);
     touched[h / 3] = 1;
   };
   bool found = false;
@@ -107,12 +108,12 @@ void split_fans(TriMesh& mesh, const std::vector<std::uint32_t>& opposite, const
   for (const auto& [corner, vertex] : moved) mesh.triangles[corner / 3][corner % 3] = vertex;
 }
 
-void make_manifold(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& context) {
+void make_manifold(TriMesh& mesh, Numbers* of, Diagnostics& diagnostics,
+                   const RunContext& context) {
   RepairCounts counts;
   join_tiny_edges(mesh);
-  counts.repeated_corners =
-      static_cast<std::int64_t>(std::erase_if(mesh.triangles, repeats_corner));
-  counts.duplicates = drop_duplicates(mesh, context);
+  counts.repeated_corners = erase_triangles(mesh, of, repeats_corner);
+  counts.duplicates = drop_duplicates(mesh, of, context);
   // Mending may lay bare a further defect, or among slivers go in circles: later rounds only cut
   // apart.
   constexpr int kMendingRounds = 4, kRounds = 12;
@@ -124,10 +125,10 @@ void make_manifold(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& co
     EdgeGroups edges = group_edges(mesh, context);
     orient_patches(mesh, edges, now, context);
     std::vector<std::uint32_t> opposite = match_half_edges(mesh, edges, cut, now);
-    remove_flat(mesh, opposite, cut, now, context);
+    remove_flat(mesh, opposite, of, cut, now, context);
     split_fans(mesh, opposite, edges, now);
-    std::erase_if(mesh.triangles, repeats_corner);
-    if (!cut && split_repeated_edges(mesh, context)) continue;
+    erase_triangles(mesh, of, repeats_corner);
+    if (!cut && split_repeated_edges(mesh, of, context)) continue;
     if (inspect(mesh, context).clean()) break;
   }
   drop_unused_positions(mesh);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <stdexcept>
 
 namespace burin {
 namespace {
@@ -48,18 +49,18 @@ bool any_position(const TriMesh& mesh, const RunContext& context, const Predicat
 
 /// Removes the triangles at the positions that `bad` picks.
 template <class Predicate>
-std::int64_t drop_triangles_at(TriMesh& mesh, const Predicate& bad) {
+std::int64_t drop_triangles_at(TriMesh& mesh, Numbers* of, const Predicate& bad) {
   std::vector<std::uint8_t> is_bad(mesh.positions.size());
   for (std::size_t i = 0; i < is_bad.size(); ++i) is_bad[i] = bad(mesh.positions[i]);
-  return static_cast<std::int64_t>(std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    return is_bad[t[0]] || is_bad[t[1]] || is_bad[t[2]];
-  }));
+  return erase_triangles(
+      mesh, of, [&](const Triangle& t) { return is_bad[t[0]] || is_bad[t[1]] || is_bad[t[2]]; });
 }
 
-void drop_unusable(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& context) {
+void drop_unusable(TriMesh& mesh, Numbers* of, Diagnostics& diagnostics,
+                   const RunContext& context) {
   const auto bad = [](const Vec3& p) { return !usable(p); };
   if (!any_position(mesh, context, bad)) return;
-  const std::int64_t dropped = drop_triangles_at(mesh, bad);
+  const std::int64_t dropped = drop_triangles_at(mesh, of, bad);
   if (dropped == 0) return;
   diagnostics.add(Severity::Warning, "mesh.bad_coordinates", dropped,
                   "triangles with NaN, infinite or absurd coordinates were left out");
@@ -87,14 +88,14 @@ std::pair<Vec3, double> middle_of(const std::vector<Vec3>& points) {
   return {center, median([&](const Vec3& p) { return glm::length(p - center); })};
 }
 
-void drop_wild(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& context) {
+void drop_wild(TriMesh& mesh, Numbers* of, Diagnostics& diagnostics, const RunContext& context) {
   const auto [center, distance] = middle_of(mesh.positions);
   if (!(distance > 0)) return;
   const auto bad = [c = center, limit = kWildRatio * distance](const Vec3& p) {
     return !(glm::length(p - c) <= limit);
   };
   if (!any_position(mesh, context, bad)) return;
-  const std::int64_t dropped = drop_triangles_at(mesh, bad);
+  const std::int64_t dropped = drop_triangles_at(mesh, of, bad);
   if (dropped == 0) return;
   diagnostics.add(
       Severity::Warning, "mesh.wild_coordinates", dropped,
@@ -113,6 +114,19 @@ void merge_points(TriMesh& mesh, const RunContext& context) {
   });
 }
 
+/// From one number a polygon to one for each of its triangles.
+void number_triangles(const PolygonSoup& soup, Numbers& of) {
+  if (of.size() != soup.polygon_count()) {
+    throw std::invalid_argument("one number a polygon expected");
+  }
+  Numbers out;
+  for (std::size_t f = 0; f < of.size(); ++f) {
+    const std::size_t corners = soup.offsets[f + 1] - soup.offsets[f];
+    out.insert(out.end(), std::max<std::size_t>(corners, 2) - 2, of[f]);
+  }
+  of = std::move(out);
+}
+
 void require_triangles(const TriMesh& mesh) {
   if (mesh.triangles.empty()) {
     throw GeometryError("no triangle with an area is left after repair; export the model again");
@@ -122,16 +136,17 @@ void require_triangles(const TriMesh& mesh) {
 }  // namespace
 
 TriMesh repair(PolygonSoup soup, const RepairOptions& options, Diagnostics& diagnostics,
-               const RunContext& context) {
+               const RunContext& context, Numbers* of) {
+  if (of) number_triangles(soup, *of);
   TriMesh mesh = triangulate(std::move(soup), diagnostics, context);
-  drop_unusable(mesh, diagnostics, context);
-  drop_wild(mesh, diagnostics, context);
+  drop_unusable(mesh, of, diagnostics, context);
+  drop_wild(mesh, of, diagnostics, context);
   if (options.merge_duplicate_points) merge_points(mesh, context);
   require_triangles(mesh);
   drop_unused_positions(mesh);
   Cleanness found = inspect(mesh, context);
   if (!found.clean()) {
-    make_manifold(mesh, diagnostics, context);
+    make_manifold(mesh, of, diagnostics, context);
     require_triangles(mesh);
     found = inspect(mesh, context);
   }

@@ -72,6 +72,22 @@ struct RepairCounts {
   std::int64_t nonmanifold_edges = 0, nonmanifold_vertices = 0, flat = 0, flat_dropped = 0;
 };
 
+/// What comes with the triangles, one each.
+using Numbers = std::vector<std::int32_t>;
+
+/// Removes triangles, order kept, and their numbers where there are any; returns how many.
+template <class Predicate>
+std::int64_t erase_triangles(TriMesh& mesh, Numbers* of, const Predicate& gone) {
+  if (of) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (!gone(mesh.triangles[t])) (*of)[kept++] = (*of)[t];
+    }
+    of->resize(kept);
+  }
+  return static_cast<std::int64_t>(std::erase_if(mesh.triangles, gone));
+}
+
 inline bool repeats_corner(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
@@ -82,7 +98,7 @@ void join_tiny_edges(TriMesh& mesh);
 /// Drops triangles that repeat another one. Of two that face each other in one place both stay
 /// where they are the wall between solids or hang on a body, and one where they are a sheet drawn
 /// from both sides.
-std::int64_t drop_duplicates(TriMesh& mesh, const RunContext& context);
+std::int64_t drop_duplicates(TriMesh& mesh, Numbers* of, const RunContext& context);
 
 /// Turns triangles so that neighbours over edges of two triangles agree, each such patch as most of
 /// its triangles were; remaps `edges`. Returns how many were turned and over how many edges no
@@ -98,8 +114,9 @@ std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroup
 
 /// Turns the long edge of each triangle without area over to its neighbour, which leaves no hole;
 /// drops it where it has no neighbour or this would not be manifold, or always with `drop`. Drops
-/// also pairs of triangles that only have each other. Dropped triangles become {0, 0, 0}.
-void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, bool drop,
+/// also pairs of triangles that only have each other. Dropped triangles become {0, 0, 0}. Both
+/// triangles of such a turn have the number of the neighbour: they lie where it was.
+void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, Numbers* of, bool drop,
                  RepairCounts& counts, const RunContext& context);
 
 /// Gives each fan of triangles around a vertex a vertex of its own.
@@ -107,7 +124,7 @@ void split_fans(TriMesh& mesh, const std::vector<std::uint32_t>& opposite, const
                 RepairCounts& counts);
 
 /// Orients, splits and drops until `inspect` finds nothing.
-void make_manifold(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& context);
+void make_manifold(TriMesh& mesh, Numbers* of, Diagnostics& diagnostics, const RunContext& context);
 
 /// Turns closed components that are inside out; needs a manifold mesh. `open` as `inspect` gives
 /// it.

@@ -1,4 +1,5 @@
 #include "csg_worked.h"
+#include "evaluated_part.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -70,6 +71,24 @@ TEST(Surfaces, ReachTheResultOfCutsAndUnions) {
     const bool flat = w.solid.positions[c[0]].z == 3 && w.solid.positions[c[1]].z == 3 &&
                       w.solid.positions[c[2]].z == 3;
     EXPECT_TRUE(!flat || w.solid.surface[t] == -1);
+  }
+}
+
+// Cuts of rounded corners leave triangles without area. What takes their place stands for what is
+// beside it.
+TEST(Surfaces, AreThoseOfAllTriangles) {
+  const std::string cone = cylinder(62.5, 12.5, 6.25, 12);
+  const std::string across =
+      "multmatrix([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]) { " + cone + " }";
+  const Worked w = work_out("difference() { " + sphere(25, 12) + cone + across + "}");
+  Diagnostics diagnostics;
+  RunContext context;
+  const auto form =
+      burin::detail::form_of(w.solid, burin::detail::Facets::Known, "", diagnostics, context);
+  const auto surface = form->realise({.tolerance = 0.01}, context);
+  for (std::uint32_t t = 0; t < surface->proxy().mesh.triangles.size(); ++t) {
+    const FaceKind kind = surface->frame(surface->lift({t, Vec3(1.0 / 3)})).kind;
+    EXPECT_TRUE(kind == FaceKind::Sphere || kind == FaceKind::Cone) << t;
   }
 }
 

@@ -6,7 +6,11 @@
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -115,6 +119,38 @@ TEST(Repair, DegenerateAndDuplicateFacesGo) {
   EXPECT_EQ(r.count("mesh.degenerate_faces"), 1);
   EXPECT_EQ(r.count("mesh.duplicate_faces"), 2);
   EXPECT_EQ(r.mesh.triangles, kBox.triangles);
+}
+
+// A box whose upper front edge has a corner on it for the top alone, closed by a triangle without
+// area.
+TEST(Repair, WhatTakesThePlaceOfATriangleWithoutAreaHasItsNeighboursNumber) {
+  PolygonSoup soup;
+  soup.positions = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {0, 0, 4},
+                    {2, 0, 4}, {2, 3, 4}, {0, 3, 4}, {1, 0, 4}};
+  std::vector<std::int32_t> of;
+  const auto add = [&](std::initializer_list<std::uint32_t> corners, std::int32_t number) {
+    soup.indices.insert(soup.indices.end(), corners);
+    soup.offsets.push_back(soup.indices.size());
+    of.push_back(number);
+  };
+  add({0, 3, 2, 1}, 0);     // below
+  add({4, 8, 5, 6, 7}, 1);  // above
+  add({0, 1, 5, 4}, 2);     // in front
+  add({4, 5, 8}, 6);        // the triangle without area
+  add({1, 2, 6, 5}, 3);
+  add({2, 3, 7, 6}, 4);
+  add({3, 0, 4, 7}, 5);
+  add({4, 4, 7}, 6);  // goes
+  Diagnostics diagnostics;
+  const TriMesh mesh = repair(std::move(soup), {}, diagnostics, RunContext(), &of);
+  EXPECT_EQ(test::count_of(diagnostics, "mesh.zero_area_faces"), 1);
+  ASSERT_EQ(of.size(), mesh.triangles.size());
+  const std::array<Vec3, 6> out{Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(0, -1, 0),
+                                Vec3(1, 0, 0),  Vec3(0, 1, 0), Vec3(-1, 0, 0)};
+  for (std::uint32_t t = 0; t < of.size(); ++t) {
+    EXPECT_NEAR(glm::dot(mesh.normal(t), out.at(static_cast<std::size_t>(of[t]))), 1, 1e-12);
+  }
+  EXPECT_EQ(std::ranges::count(of, 2), 3);
 }
 
 TEST(Repair, WholeBodyWrittenTwiceIsOne) {

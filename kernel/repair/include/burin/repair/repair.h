@@ -5,6 +5,9 @@
 #include <burin/base/run_context.h>
 #include <burin/mesh/tri_mesh.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace burin {
 
 struct RepairOptions {
@@ -21,8 +24,10 @@ struct RepairOptions {
 /// kernel/docs/formats.md), with its count and what was done. The result satisfies `build_topology`
 /// and is the same for any number of threads. Throws GeometryError where no triangle is left, and
 /// where the soup's indices are wrong. Cost: 0.05 s for a clean million triangles on 2 cores; 0.5 s
-/// for a broken one. @cite Gueziec2001, Meisters1975
+/// for a broken one. `of`: a number for each polygon, becomes one for each triangle; a triangle
+/// that takes over the place of one without area has the number of the face that it lies in.
+/// @cite Gueziec2001, Meisters1975
 TriMesh repair(PolygonSoup soup, const RepairOptions& options, Diagnostics& diagnostics,
-               const RunContext& context);
+               const RunContext& context, std::vector<std::int32_t>* of = nullptr);
 
 }  // namespace burin
