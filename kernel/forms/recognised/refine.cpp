@@ -4,6 +4,7 @@
 
 #include "halves.h"
 #include "meet.h"
+#include "standing.h"
 
 #include <algorithm>
 #include <array>
@@ -91,6 +92,7 @@ class Refiner {
           std::any_of(refs[v].begin(), refs[v].end(), [](SurfaceRef r) { return r >= 0; });
       if (round && refs[v].size() > 1) meet_(refs[v], m_.mesh.positions[v]);
     }
+    turn_standing(m_, meet_, context_);
     for (int pass = 0; pass < kPasses; ++pass) {
       bool again = false;
       for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {

@@ -120,6 +120,57 @@ TEST(KnownSurfaces, RimsOfNarrowConesAreRound) {
   EXPECT_GT(seen, 32u);
 }
 
+// A cylinder under a cone about the same axis whose facets stand between its own: their edges cross
+// the facets of the cylinder in the middle, and three corners of each lie on the circle where the
+// surfaces meet.
+TEST(KnownSurfaces, FacetsWithThreeCornersOnARimDoNotStandAcrossTheirSurface) {
+  constexpr std::uint32_t kSides = 12;
+  TriMesh mesh;
+  const auto around = [&](double r, double step, double z) {
+    const double a = 2 * kPi * step / kSides;
+    mesh.positions.emplace_back(r * std::cos(a), r * std::sin(a), z);
+  };
+  const double apothem = 10 * std::cos(kPi / kSides), beyond = 10 / std::cos(kPi / kSides);
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    around(10, i, 0);
+    around(10, i, 32 - beyond);
+    around(apothem, i + 0.5, 32 - apothem);
+  }
+  const std::uint32_t bottom = 3 * kSides, top = bottom + 1;
+  mesh.positions.emplace_back(0, 0, 0);
+  mesh.positions.emplace_back(0, 0, 32);
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const std::uint32_t a = 3 * i, b = 3 * ((i + 1) % kSides);
+    mesh.triangles.insert(mesh.triangles.end(), {{a, bottom, b},
+                                                 {a, b, b + 1},
+                                                 {a, b + 1, a + 1},
+                                                 {a + 1, b + 1, a + 2},
+                                                 {a + 1, a + 2, top},
+                                                 {a + 2, b + 1, top}});
+  }
+  const RecognisedForm form = known_form(
+      mesh, {line({10, 0}, {10, 22}, kSides), line({12, 20}, {0, 32}, kSides)}, [](Vec3, Vec3 n) {
+        return n.z < -0.9 ? KnownSurfaces::kMeantFlat : n.z < 0.1 ? 0 : 1;
+      });
+  RunContext context;
+  const auto surface = form.realise({.tolerance = 0.005}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  for (std::uint32_t t = 0; t < proxy.wedges.size(); ++t) {
+    for (const std::uint32_t w : proxy.wedges[t]) {
+      if (proxy.wedge_position(w).z > 31.9) continue;  // the tip
+      EXPECT_GT(glm::dot(proxy.mesh.normal(t), proxy.wedge_normal[w]), 0.9);
+    }
+  }
+  for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
+    const auto h = static_cast<HalfEdge>(i);
+    const Vec3 middle = 0.5 * (proxy.mesh.positions[origin(proxy.mesh, h)] +
+                               proxy.mesh.positions[origin(proxy.mesh, next_in_face(h))]);
+    if (!proxy.is_crease(h) || middle.z < 20) continue;
+    EXPECT_NEAR(std::hypot(middle.x, middle.y), 10, 0.01);
+    EXPECT_NEAR(middle.z, 22, 0.01);
+  }
+}
+
 TEST(KnownSurfaces, WhatIsMeantFlatStaysAPrism) {
   const TriMesh prism = turned({{10, 0}, {10, 30}}, 24);
   EXPECT_EQ(
