@@ -2,6 +2,8 @@
 
 #include <burin/mesh/chord_error.h>
 
+#include "cutters.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -227,7 +229,9 @@ Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec
   }
 }
 
-// Whether what was taken for the fold of a contour goes on beside it: its own ends there.
+// Whether what was taken for the fold of a contour goes on beside it: its own ends there. The outer
+// outline is none of that, however far off its fold, and no other line is between it and the paper:
+// contours zigzag across long narrow triangles, and a part of one may run along the outline.
 bool covered_beside(const Origin& fold, double clear) {
   const Probe& probe = *fold.probe;
   const ProxyMesh& own = *probe.proxy(fold.part);
@@ -247,12 +251,14 @@ bool covered_beside(const Origin& fold, double clear) {
   const Vec3 side = off * normalize_or(glm::cross(o.across, o.view), Vec3(0));
   // Beside the outer outline is nothing a little farther out.
   constexpr double kFarther = 3;
-  const auto bare = [&](Vec3 beside) {
+  const auto outer = [&](Vec3 beside) {
     const double far = 2 * probe.occluder().diagonal();
+    const Camera& camera = probe.camera();
     return !probe.occluder().occluded(beside, o.view, 0, far) &&
-           !probe.occluder().occluded(beside, -o.view, 0, far);
+           !probe.occluder().occluded(beside, -o.view, 0, far) &&
+           !probe.line_between(camera.to_paper(o.point), camera.to_paper(beside));
   };
-  return covered(o.point + side) && !bare(o.point + kFarther * side);
+  return covered(o.point + side) && !outer(o.point + kFarther * side);
 }
 
 }  // namespace
@@ -284,6 +290,15 @@ double Probe::own_error(const Curve3& curve, std::int32_t face, Vec3 p) const {
 }
 
 double Probe::most_off_edge(Vec3 p) const { return kMostOffEdge / camera_.scale_at(p); }
+
+bool Probe::line_between(Vec2 from, Vec2 to) const {
+  constexpr double kClear = 0.02;  // paper mm, from the line that the first point is on
+  if (!lines_) return false;
+  Crossings crossings;
+  lines_->cross({.a = from, .b = to}, CutRule::AnyDepth, crossings);
+  const double clear = kClear / glm::distance(from, to);
+  return std::ranges::any_of(crossings.cuts, [&](double share) { return share > clear; });
+}
 
 bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
   return !hidden_by(curve, segment, t, 1);

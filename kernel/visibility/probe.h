@@ -12,6 +12,8 @@
 
 namespace burin {
 
+class Cutters;
+
 /// Multiples of the occluder's resolution: distance from a plane within which a point lies on it.
 /// Covers vertices that went through single precision (STL) once in each part.
 constexpr double kOnPlane = 4;
@@ -35,6 +37,11 @@ class Probe {
  public:
   Probe(const Occluder& occluder, std::span<const ProxyMesh* const> proxies, const Camera& camera)
       : occluder_(occluder), proxies_(proxies), camera_(camera) {}
+
+  /// The occluding lines of the picture from now on. Where they are not known none is between.
+  void know_lines(const Cutters& lines) { lines_ = &lines; }
+  /// Whether an occluding line runs between two points of the paper, clear of the first.
+  bool line_between(Vec2 from, Vec2 to) const;
 
   /// `segment` of `curve` at the share `t`.
   bool visible(const Curve3& curve, std::size_t segment, double t) const;
@@ -79,6 +86,7 @@ class Probe {
   const Occluder& occluder_;
   std::span<const ProxyMesh* const> proxies_;
   const Camera& camera_;
+  const Cutters* lines_ = nullptr;
 };
 
 }  // namespace burin

@@ -75,6 +75,7 @@ struct VisibilityMap::Impl {
       }
     }
     every = std::make_unique<Cutters>(std::move(all), same_depth);
+    probe.know_lines(*every);
     same_cut = spacing_of_cuts(context);
     feature_pieces.resize(features.size());
     const auto classify = [&](const Cutting& cutting, std::size_t c, Scratch& scratch) {

@@ -394,6 +394,37 @@ TEST(VisibleSpans, HidesAContourBehindABulgeOfFewFacets) {
   EXPECT_LT(hidden, 0.021 * seen);  // what is left are coarse facets; 0.03 without looking beside
 }
 
+// A contour that zigzags across long narrow triangles runs along the outline a little inside,
+// behind its own fold. Alone it is the outline; beside one that is nearer to the paper it is none.
+TEST(VisibleSpans, HidesAContourRightInsideTheOutline) {
+  constexpr std::uint32_t kSides = 128;
+  const View view({test::cylinder(1, 1.5, kSides)}, {.direction = {0, -1, 0}});
+  const double inside = 0.16 / view.camera.scale(), step = 2 * test::kPi / kSides;
+  const auto contour = [&](double angle) {
+    Curve3 curve = test::line({std::cos(angle), std::sin(angle), 0.2},
+                              {std::cos(angle), std::sin(angle), 1.3}, 10);
+    curve.kind = LineClass::Contour;
+    curve.occluding = true;
+    curve.source = {0, 0, -1};
+    curve.normals.assign(curve.points.size(), Vec3(std::cos(angle), std::sin(angle), 0));
+    curve.faces.assign(curve.segment_count(),
+                       static_cast<std::int32_t>(4 * (angle / step)) / 4 * 4);
+    return curve;
+  };
+  const Curve3 outline = contour(0), behind = contour(std::acos(1 - inside));
+  const auto seen = [&](const std::vector<Curve3>& lines) {
+    const VisibilityMap map(*view.occluder, view.pointers, view.camera, lines, view.context);
+    std::vector<bool> out;
+    for (const auto& spans : map.classify(lines, {}, view.context)) {
+      EXPECT_EQ(spans.size(), 1U);
+      out.push_back(spans.front().visible);
+    }
+    return out;
+  };
+  EXPECT_EQ(seen({behind}), std::vector{true});
+  EXPECT_EQ(seen({behind, outline}), (std::vector{false, true}));
+}
+
 // --- smooth surfaces
 // -------------------------------------------------------------------------------------------
 
