@@ -11,7 +11,7 @@ import tempfile
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("cmake/bundle", "converters/python/tools")]
 import pip_backend  # noqa: E402
-from gather import elves, gather, notices, rename, run, version  # noqa: E402
+from gather import compiled_in, elves, gather, notices, rename, run, version  # noqa: E402
 from listing import listing  # noqa: E402
 from manylinux import faults, glibc  # noqa: E402
 
@@ -27,8 +27,9 @@ def make(build, tags):
             run("cmake", "--install", build, "--component", f"python_{tag}", "--strip", "--prefix", native)
         files, packages, _ = gather(native, native / "burin")
         rename(native, files)
-        notices(native / "licences", packages)
-        (native / "burin.spdx.json").write_text(listing(packages, "licences"), encoding="utf-8")
+        compiled = compiled_in(native)
+        notices(native / "licences", {**packages, **compiled})
+        (native / "burin.spdx.json").write_text(listing(packages, compiled, "licences"), encoding="utf-8")
         limit = glibc(elves(native))
         for line in faults(native, limit):
             sys.exit(f"addon.py: {line}")

@@ -12,8 +12,9 @@ import shutil
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from gather import SOURCE, commit_time, gather, notices, run, version  # noqa: E402
+from gather import SOURCE, commit_time, compiled_in, gather, notices, run, version  # noqa: E402
 from listing import listing  # noqa: E402
+from pages import keep_links_inside  # noqa: E402
 
 
 def make(build):
@@ -26,9 +27,11 @@ def make(build):
         shutil.copytree(SOURCE / "converters/python/burin" / part, top / "lib/python3/dist-packages/burin" / part,
                         ignore=lambda _, names: [n for n in names if not n.endswith(".py") and "." in n or n == "__pycache__"])
     files, packages, symbols = gather(top, top / "lib")
-    notices(top / "share/doc/burin/licences", packages)
+    compiled = compiled_in(top)
+    notices(top / "share/doc/burin/licences", {**packages, **compiled})
+    keep_links_inside(top / "share/doc/burin")
     inside = build / f"{name}.spdx.json"
-    inside.write_text(listing(packages, "share/doc/burin/licences"), encoding="utf-8")
+    inside.write_text(listing(packages, compiled, "share/doc/burin/licences"), encoding="utf-8")
     shutil.copyfile(inside, top / "share/doc/burin/packages.spdx.json")
     tar = build / f"{name}.tar"
     run("tar", "--sort=name", f"--mtime=@{commit_time()}", "--owner=0", "--group=0", "--numeric-owner", "--mode=go-w", "--format=gnu",

@@ -11,6 +11,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from viewer_stub import VIEWER, needed, replace_viewer  # noqa: E402
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+# Packages of Debian whose code, or font, is compiled in.
+COMPILED_IN = ("fonts-osifont", "libboost-dev", "libcgal-dev", "libcli11-dev", "libeigen3-dev", "libglm-dev", "libtinygltf-dev",
+               "nlohmann-json3-dev", "pybind11-dev")
+COMMON = pathlib.Path("/usr/share/common-licenses")
 # A system has these itself, and no two of them may be in one process.
 SYSTEM = re.compile(r"(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libutil|libstdc\+\+|libgcc_s)\.so")
 
@@ -73,11 +77,25 @@ def rename(top, files):
         os.rename(files[so], files[so].with_name(name))
 
 
+def compiled_in(top):
+    """{package of Debian: version} of what is part of the programs and libraries of Burin below `top`."""
+    module = any(top.rglob("_burin*.so"))
+    return {name: run("dpkg-query", "-W", "-f=${Version}", name) for name in COMPILED_IN if module or name != "pybind11-dev"}
+
+
 def notices(folder, packages):
-    """Copies the licences of Debian's packages into a folder."""
+    """Copies the licences of Debian's packages into a folder, and the texts that they name, which other systems lack."""
     folder.mkdir(parents=True)
+    texts = set()
     for name in packages:
-        shutil.copyfile(f"/usr/share/doc/{name}/copyright", folder / name)
+        notice = pathlib.Path(f"/usr/share/doc/{name}/copyright").read_bytes()
+        (folder / name).write_bytes(notice)
+        texts |= {text.decode().rstrip(".") for text in re.findall(rb"common-licenses/([\w.+-]+)", notice)}
+    (folder / COMMON.name).mkdir()
+    for text in sorted(texts & set(os.listdir(COMMON))):
+        shutil.copyfile(COMMON / text, folder / COMMON.name / text)
+    (folder / "README").write_text(f"Notices of what is inside, by packages of Debian. A text that one names, {COMMON}/NAME,\n"
+                                   f"is {COMMON.name}/NAME here.\n", encoding="utf-8")
 
 
 def commit_time():

@@ -10,7 +10,7 @@ import tempfile
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("cmake/bundle", "converters/python/tools")]
 import pip_backend  # noqa: E402
-from gather import elves, gather, notices, rename  # noqa: E402
+from gather import compiled_in, elves, gather, notices, rename  # noqa: E402
 from listing import listing  # noqa: E402
 from manylinux import glibc  # noqa: E402
 
@@ -27,9 +27,10 @@ def make(build, tag=""):
         files, packages, _ = gather(top, top / "burin")
         rename(top, files)
         info = top / pip_backend.info_folder()
-        notices(info / "licences", packages)
+        compiled = compiled_in(top)
+        notices(info / "licences", {**packages, **compiled})
         (info / "sboms").mkdir()
-        (info / "sboms/burin.spdx.json").write_text(listing(packages, "licences"), encoding="utf-8")
+        (info / "sboms/burin.spdx.json").write_text(listing(packages, compiled, "licences"), encoding="utf-8")
         name = pip_backend.pack(top, build, f"manylinux_2_{glibc(elves(top))}_{platform.machine()}", tag)
         size = sum(f.stat().st_size for f in top.rglob("*") if f.is_file())
     packed = build / name

@@ -42,7 +42,9 @@ std::string to_text(const std::vector<Plugin>& plugins) {
     }
   }
   if (!text.empty()) return text;
-  text = "no plug-ins; these folders are looked through for *.so (see kernel/docs/plugins.md):\n";
+  text =
+      "no plug-ins; these folders are looked through for *.so (see the page plugins.md of the "
+      "manual):\n";
   for (const auto& folder : plugin::search_path()) text += fmt::format("  {}\n", folder.string());
   return text;
 }

