@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <queue>
+#include <stdexcept>
 
 namespace burin::repair_stages {
 namespace {
@@ -237,10 +238,25 @@ void check_soup(const PolygonSoup& soup, const RunContext& context) {
       &context);
 }
 
+/// From one number a polygon to one for each of its triangles.
+void number_triangles(const PolygonSoup& soup, Numbers& of) {
+  if (of.size() != soup.polygon_count()) {
+    throw std::invalid_argument("one number a polygon expected");
+  }
+  Numbers out;
+  for (std::size_t f = 0; f < of.size(); ++f) {
+    const std::size_t corners = soup.offsets[f + 1] - soup.offsets[f];
+    out.insert(out.end(), corners - 2, of[f]);
+  }
+  of = std::move(out);
+}
+
 }  // namespace
 
-TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext& context) {
+TriMesh triangulate(PolygonSoup soup, Numbers* of, Diagnostics& diagnostics,
+                    const RunContext& context) {
   check_soup(soup, context);
+  if (of) number_triangles(soup, *of);
   TriMesh mesh;
   mesh.positions = std::move(soup.positions);
   mesh.triangles.resize(soup.indices.size() - 2 * soup.polygon_count());

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <stdexcept>
 
 namespace burin {
 namespace {
@@ -114,19 +113,6 @@ void merge_points(TriMesh& mesh, const RunContext& context) {
   });
 }
 
-/// From one number a polygon to one for each of its triangles.
-void number_triangles(const PolygonSoup& soup, Numbers& of) {
-  if (of.size() != soup.polygon_count()) {
-    throw std::invalid_argument("one number a polygon expected");
-  }
-  Numbers out;
-  for (std::size_t f = 0; f < of.size(); ++f) {
-    const std::size_t corners = soup.offsets[f + 1] - soup.offsets[f];
-    out.insert(out.end(), std::max<std::size_t>(corners, 2) - 2, of[f]);
-  }
-  of = std::move(out);
-}
-
 void require_triangles(const TriMesh& mesh) {
   if (mesh.triangles.empty()) {
     throw GeometryError("no triangle with an area is left after repair; export the model again");
@@ -137,8 +123,7 @@ void require_triangles(const TriMesh& mesh) {
 
 TriMesh repair(PolygonSoup soup, const RepairOptions& options, Diagnostics& diagnostics,
                const RunContext& context, Numbers* of) {
-  if (of) number_triangles(soup, *of);
-  TriMesh mesh = triangulate(std::move(soup), diagnostics, context);
+  TriMesh mesh = triangulate(std::move(soup), of, diagnostics, context);
   drop_unusable(mesh, of, diagnostics, context);
   drop_wild(mesh, of, diagnostics, context);
   if (options.merge_duplicate_points) merge_points(mesh, context);

@@ -17,9 +17,14 @@ constexpr std::size_t kFaceGrain = 16384;
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
+/// What comes with the triangles, one each.
+using Numbers = std::vector<std::int32_t>;
+
 /// Triangles of the soup's polygons over its positions. Concave and slightly bent polygons are cut
 /// along diagonals inside them. Throws GeometryError where a corner is no position.
-TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext& context);
+/// `of`: from a number for each polygon to one for each triangle.
+TriMesh triangulate(PolygonSoup soup, Numbers* of, Diagnostics& diagnostics,
+                    const RunContext& context);
 
 /// For each vertex the corners (3 * triangle + k) that lie at it.
 struct CornersOfVertex {
@@ -71,9 +76,6 @@ struct RepairCounts {
   std::int64_t repeated_corners = 0, duplicates = 0, flipped = 0, nonorientable_edges = 0;
   std::int64_t nonmanifold_edges = 0, nonmanifold_vertices = 0, flat = 0, flat_dropped = 0;
 };
-
-/// What comes with the triangles, one each.
-using Numbers = std::vector<std::int32_t>;
 
 /// Removes triangles, order kept, and their numbers where there are any; returns how many.
 template <class Predicate>
