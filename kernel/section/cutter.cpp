@@ -105,7 +105,16 @@ void Cutter::measure(const CutPlane& plane) {
   plane_ = plane;
   height_.clear();
   height_.reserve(positions.size());
-  for (const Vec3& p : positions) height_.push_back(glm::dot(plane.normal, p) - plane.offset);
+  for (Vec3& p : positions) {
+    double height = glm::dot(plane.normal, p) - plane.offset;
+    // What counts as on the plane lies on it: the face that closes the cut is flat, and the lines
+    // of its hatching are not behind it.
+    if (std::abs(height) <= on_plane_) {
+      p -= height * plane.normal;
+      height = 0;
+    }
+    height_.push_back(height);
+  }
   points_.clear();
 }
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -89,6 +90,42 @@ TEST(Section, WhatClosesAPlaneIsOneFaceOfAMesh) {
   EXPECT_EQ(kept.size(), 10u);
   EXPECT_EQ(closing.size(), 1u) << "two regions, in whatever order";
   EXPECT_FALSE(kept.contains(*closing.begin()));
+}
+
+TEST(Section, CornersBesideThePlaneLieOnTheFaceThatClosesIt) {
+  // A bar with a ring of corners in its middle, which stand a little before and behind the plane,
+  // as rounding leaves them.
+  TriMesh bar;
+  const std::array<Vec2, 4> square{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+  for (const double x : {-2.0, 0.0, 2.0}) {
+    double off = x == 0 ? 1e-6 : 0;
+    for (const Vec2& p : square) bar.positions.push_back({x + (off = -off), p.x, p.y});
+  }
+  for (std::uint32_t from : {0u, 4u}) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = from + k, b = from + (k + 1) % 4;
+      bar.triangles.push_back({a, b, b + 4});
+      bar.triangles.push_back({a, b + 4, a + 4});
+    }
+  }
+  for (const Triangle& t : {Triangle{0, 2, 1}, {0, 3, 2}, {8, 9, 10}, {8, 10, 11}}) {
+    bar.triangles.push_back(t);
+  }
+  ASSERT_NEAR(std::abs(volume(bar)), 4, 1e-4);
+  if (volume(bar) < 0) {
+    for (Triangle& t : bar.triangles) std::swap(t[1], t[2]);
+  }
+  const auto surface = realised(cut_form(mesh(bar), {{1, 0, 0}, 0}, 1, "bar"));
+  const ProxyMesh& proxy = surface->proxy();
+  std::size_t closing = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    if (!proxy.is_cut(f)) continue;
+    ++closing;
+    for (const std::uint32_t v : proxy.mesh.triangles[f]) {
+      EXPECT_EQ(proxy.mesh.positions[v].x, 0);
+    }
+  }
+  EXPECT_EQ(closing, 2u);
 }
 
 TEST(Section, AreasOfATorusAreThoseOfTheFormulas) {
