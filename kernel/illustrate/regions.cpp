@@ -6,6 +6,7 @@
 #include <burin/feature/kind_borders.h>
 #include <burin/feature/light_normals.h>
 #include <burin/illustrate/view_probe.h>
+#include <burin/surface/nearest_on.h>
 
 #include "exact_places.h"
 #include "fill/fills.h"
@@ -201,8 +202,9 @@ std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& o
 /// The step of tone of a place. The normal of an exact surface is asked for only where those at the
 /// corners of the triangle leave more than one step: between them light bends by less than the
 /// angle between them lets it.
-std::int32_t tone_at(const ProxyMesh& proxy, std::span<const Vec3> normals, const ExactAt& exact,
-                     const ViewHit& hit, const Camera& camera, const Isophotes& tones) {
+std::int32_t tone_at(const Surface& surface, std::span<const Vec3> normals, const ViewHit& hit,
+                     const Camera& camera, const Isophotes& tones) {
+  const ProxyMesh& proxy = surface.proxy();
   const auto [face, bary] = hit.point;
   Vec3 normal = proxy.normal(face, bary);
   const bool closed = proxy.closed(face);
@@ -221,7 +223,8 @@ std::int32_t tone_at(const ProxyMesh& proxy, std::span<const Vec3> normals, cons
   if (const auto one = step(least - bend); one == step(most + bend)) {
     return static_cast<std::int32_t>(one);
   }
-  normal = exact ? exact(face, bary).normal : light_normal(proxy, normals, face, bary);
+  normal = surface.exact() ? surface.frame(nearest_on(surface, hit.point)).normal
+                           : light_normal(proxy, normals, face, bary);
   return step_of(tones, side * normal);
 }
 
@@ -245,7 +248,7 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
     label.tone = cut ? steps : 0;
     if (cut || steps == 0) return label;
     label.tone =
-        tone_at(proxy, normals[part], depths.places(hit->part), *hit, camera, options.tones[part]);
+        tone_at(*occluders.surfaces()[part], normals[part], *hit, camera, options.tones[part]);
     if (light && label.tone > 0 && in_shadow(occluders, depths, *hit, light->camera.direction())) {
       label.tone = 0;
     }

@@ -77,8 +77,8 @@ std::pair<std::int32_t, std::int32_t> AreaJudge::tones_of(const Referee::Sheet& 
   return {0, most};
 }
 
-/// By which the tone of a sheet is told: at its place, and at the corners of its triangle. Of
-/// meshes as coarse as they were drawn where they are found there.
+/// By which the tone of a sheet of a mesh is told: at its place, and at the corners of its
+/// triangle. Of meshes as coarse as they were drawn where they are found there.
 std::array<Vec3, 4> AreaJudge::lit_normals(const Referee::Sheet& sheet) const {
   const auto part = static_cast<std::size_t>(sheet.part);
   const Referee* referee = &witnesses_.solid;
@@ -86,7 +86,7 @@ std::array<Vec3, 4> AreaJudge::lit_normals(const Referee::Sheet& sheet) const {
   std::span<const Vec3> normals;
   if (!witnesses_.toned) {
     normals = normals_[part];
-  } else if (!sheet.exact) {
+  } else {
     const Vec2 paper = witnesses_.solid.camera().to_paper(sheet.place);
     witnesses_.toned->may_see(paper, [&](const Referee::Sheet& coarse) {
       if (coarse.part != sheet.part) return false;
@@ -111,11 +111,13 @@ std::pair<std::int32_t, std::int32_t> AreaJudge::lit_tones_of(const Referee::She
   const auto lightest = static_cast<std::int32_t>(tones.levels.size());
   // The face that closes a cut is none of the shape: it is lit in full.
   if (sheet.cut) return {lightest, lightest};
+  const auto one = [&](Vec3 normal) {
+    const std::int32_t tone = step_of(tones, normal);
+    return std::pair(tone, tone);
+  };
+  if (sheet.exact) return one(witnesses_.solid.normal(sheet, {}));
   const std::array<Vec3, 4> normals = lit_normals(sheet);
-  if (rule_.facet_light <= 0 || sheet.exact) {
-    const std::int32_t tone = step_of(tones, normals[0]);
-    return {tone, tone};
-  }
+  if (rule_.facet_light <= 0) return one(normals[0]);
   // Of noise no normal is the right one: any between the corners may be.
   const Vec3 light = glm::normalize(tones.light);
   const auto [least, most] =

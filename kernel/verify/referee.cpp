@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/feature/light_normals.h>
 #include <burin/mesh/chord_error.h>
+#include <burin/surface/nearest_on.h>
 #include <burin/verify/referee.h>
 
 #include <algorithm>
@@ -217,7 +218,7 @@ Vec3 Referee::normal(const Sheet& sheet, std::span<const Vec3> light_normals) co
   const Surface& surface = *surfaces_[static_cast<std::size_t>(sheet.part)];
   const ProxyMesh& proxy = surface.proxy();
   const Vec3 normal = surface.exact()
-                          ? surface.frame(surface.lift(sheet.point)).normal
+                          ? surface.frame(nearest_on(surface, sheet.point)).normal
                           : light_normal(proxy, light_normals, sheet.point.face, sheet.point.bary);
   const bool away = glm::dot(normal, camera_.to_viewer(sheet.place)) < 0;
   return away && !proxy.closed(sheet.point.face) ? -normal : normal;

@@ -1,6 +1,7 @@
 // Facets whose surface is known.
 
 #include <burin/forms/recognised/recognised_form.h>
+#include <burin/surface/nearest_on.h>
 
 #include <burin_test/shapes.h>
 #include <burin_test/turned.h>
@@ -330,6 +331,32 @@ TEST(KnownSurfaces, CornersOnABallMakeNoFacePartOfIt) {
     }
   }
   EXPECT_NEAR(flat, kPi * 12 * 12, 0.5);
+}
+
+TEST(KnownSurfaces, ThePointOfAConeOverItsTrianglesIsTheNearest) {
+  for (const double top : {2.0, 0.01}) {
+    const Vec2 a{10, 0}, b{top, 24};
+    const RecognisedForm form = known_form(turned({a, b}, 96), {line(a, b, 96)}, [](Vec3, Vec3 n) {
+      return is_side(n) ? 0 : KnownSurfaces::kMeantFlat;
+    });
+    RunContext context;
+    const auto surface = form.realise({.tolerance = 0.01}, context);
+    const ProxyMesh& proxy = surface->proxy();
+    const Vec2 along = glm::normalize(b - a);
+    double beside = 0;
+    for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
+      if (!is_side(proxy.mesh.normal(t))) continue;
+      for (const Vec3 bary : {Vec3(1.0 / 3), Vec3(0.25, 0.25, 0.5), Vec3(0.6, 0.3, 0.1)}) {
+        const Vec3 p = proxy.position(t, bary), out = glm::normalize(Vec3(p.x, p.y, 0));
+        const Vec3 normal = along.y * out - Vec3(0, 0, along.x);
+        const SurfacePoint near = nearest_on(*surface, {t, bary});
+        EXPECT_LT(glm::distance(near.position, p), proxy.tolerance);
+        EXPECT_LT(glm::distance(surface->frame(near).normal, normal), 1e-5) << "corners are floats";
+        beside = std::max(beside, glm::distance(surface->lift({t, bary}).position, p));
+      }
+    }
+    EXPECT_GT(beside, 4 * proxy.tolerance) << "of what is linear in its parameters";
+  }
 }
 
 TEST(KnownSurfaces, OneRowATriangle) {

@@ -1,12 +1,14 @@
 // The proof of areas: that it finds each kind of wrong one, where it is, and nothing else.
 #include <burin/base/parallel.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/recognised/recognised_form.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/tone/catalogue.h>
 #include <burin/verify/areas.h>
 #include <burin/verify/verify.h>
 
 #include <burin_test/shapes.h>
+#include <burin_test/turned.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +28,7 @@ struct Shown {
   Scene scene;
   Style style = builtin_style("outline");
   IllustrateOptions options{.face_areas = true};
+  Vec2 paper{150, 100};
 
   Shown() {
     const auto add = [&](const char* name, TriMesh mesh) {
@@ -41,7 +44,7 @@ struct Shown {
   Camera camera() const {
     const NamedView v = named_view("front");
     return Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
-                       {.direction = v.direction, .up = v.up, .paper = {150, 100}});
+                       {.direction = v.direction, .up = v.up, .paper = {paper.x, paper.y}});
   }
   Drawing draw() const {
     RunContext context;
@@ -58,7 +61,7 @@ struct Shown {
     const Isophotes light{tone::to_light(at, style.tone),
                           even_levels(static_cast<std::size_t>(style.fill.steps))};
     Drawing drawing;
-    drawing.paper_width = 150, drawing.paper_height = 100;
+    drawing.paper_width = paper.x, drawing.paper_height = paper.y;
     RunContext context;
     Verdict v;
     v.result = verify(drawing, {}, scene, at,
@@ -108,6 +111,43 @@ TEST(VerifyAreas, ThoseOfANoisyMeshHold) {
   const Drawing d = s.draw();
   ASSERT_TRUE(d.stats.verify);
   EXPECT_EQ(d.stats.verify->wrong_patches, 0) << d.stats.verify->wrong_area;
+}
+
+// A cone of narrow triangles from rim to rim, seen large: between their corners what is linear in
+// its parameters lies some tenths of a mm of paper beside what is seen.
+struct ShownCone : Shown {
+  ShownCone() {
+    scene.parts.clear();
+    const TriMesh mesh = test::turned({{10, 0}, {2, 24}}, 96);
+    const auto form = std::make_shared<RecognisedForm>(mesh, RunContext());
+    EXPECT_EQ(form->faces().cones, 1);
+    scene.parts.push_back({"cone", "cone", form});
+    style.fill.steps = 3;
+    options = {.verify = true};
+    paper = {225, 300};
+  }
+};
+
+TEST(VerifyAreas, TheStepsOfAConeAreThoseOfItsOwnNormals) {
+  const Drawing d = ShownCone().draw();
+  ASSERT_TRUE(d.stats.verify);
+  EXPECT_GT(d.stats.verify->area, 2e4);
+  EXPECT_EQ(d.stats.verify->wrong_patches, 0) << d.stats.verify->wrong_area;
+}
+
+TEST(VerifyAreas, AStepOfAConeThatIsHalfAMmAsideIsWrong) {
+  const ShownCone s;
+  std::vector<Area> areas = s.draw().areas;
+  for (Area& area : areas) {
+    if (area.tone == 2) continue;  // the lightest lies below the others
+    for (auto& ring : area.rings) {
+      for (Vec2& p : ring) p.x -= 0.5;
+    }
+  }
+  const Verification v = s.judge(areas).result;
+  const auto wrong_tone = [](const Contradiction& c) { return c.what == "wrong_tone"; };
+  EXPECT_TRUE(std::ranges::any_of(v.contradictions, wrong_tone));
+  EXPECT_GT(v.wrong_area, 30) << "half a mm along borders of 250 mm";
 }
 
 TEST(VerifyAreas, AnAreaOfAnotherPartIsWrong) {
