@@ -39,7 +39,7 @@ std::string advice(int error) {
     case EPERM:
       return "no permission to write here; choose another folder";
     case EROFS:
-      return "this folder takes no files; choose another";
+      return "the file system is read-only; choose another folder";
     case ENOENT:
       return "the folder does not exist; make it first";
     case ENOTDIR:
@@ -157,7 +157,9 @@ int Output::open_aside() const {
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
   std::error_code unknown;
   // A folder of the system's own, such as /proc, is there and takes no file.
-  if (error == ENOENT && fs::is_directory(folder, unknown)) fail(name_, EROFS);
+  if (error == ENOENT && fs::is_directory(folder, unknown)) {
+    throw OutputError("this folder takes no files; choose another", name_);
+  }
   fail(name_, error);
 }
 

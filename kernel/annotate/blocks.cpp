@@ -46,9 +46,9 @@ Vec2 size_of(const BlockPlan& plan, const BlockSizes& sizes) {
 
 }  // namespace
 
-double scale_in(Vec2 room, Vec2 shape) {
+double scale_in(Vec2 box, Vec2 shape) {
   const bool known = shape.x > 0 && shape.y > 0;
-  return known ? std::min(room.x / shape.x, room.y / shape.y) : std::sqrt(room.x * room.y);
+  return known ? std::min(box.x / shape.x, box.y / shape.y) : std::sqrt(box.x * box.y);
 }
 
 std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame,

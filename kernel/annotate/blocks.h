@@ -27,13 +27,13 @@ struct BlockSizes {
   std::size_t rows = 1, heading = 0;
 };
 
-/// The scale at which what has that width and height fits into some room; where they are 0, not
-/// known, the root of its area.
-double scale_in(Vec2 room, Vec2 shape);
+/// The largest scale at which a drawing of the size `shape` fits into a box of the size `box`. If
+/// the shape is not known (0): the root of the box's area.
+double scale_in(Vec2 box, Vec2 shape);
 
-/// Places a table so that a drawing of that width and height (any unit) comes out as large as can
-/// be, of equal ones where most of the frame is left. Nothing where it would take more than 70 % of
-/// the frame's width and height.
+/// Places a table so that a drawing of the size `shape` (any unit) beside it is as large as
+/// possible; of equal places the one that leaves most of the frame. Nothing where the table would
+/// take more than 70 % of the frame's width and height.
 std::optional<BlockPlan> place_blocks(const BlockSizes& sizes, Corner corner, const Box2& frame,
                                       Vec2 shape);
 

@@ -77,8 +77,8 @@ std::pair<std::int32_t, std::int32_t> AreaJudge::tones_of(const Referee::Sheet& 
   return {0, most};
 }
 
-/// By which the tone of a sheet of a mesh is told: at its place, and at the corners of its
-/// triangle. Of meshes as coarse as they were drawn where they are found there.
+/// The normals that decide the tone of a sheet of a mesh: at its place, and at the corners of its
+/// triangle. They are those of the mesh as coarse as it was drawn, if that is found there.
 std::array<Vec3, 4> AreaJudge::lit_normals(const Referee::Sheet& sheet) const {
   const auto part = static_cast<std::size_t>(sheet.part);
   const Referee* referee = &witnesses_.solid;

@@ -42,4 +42,33 @@ std::vector<HalfEdge> pair_half_edges(const std::vector<Triangle>& triangles,
   return opposite;
 }
 
+std::array<FlippedSide, 6> flip_edge(std::vector<Triangle>& triangles,
+                                     std::vector<HalfEdge>& opposite, HalfEdge h) {
+  const auto index = [](HalfEdge x) { return static_cast<std::size_t>(x); };
+  const auto from = [&](HalfEdge x) { return triangles[face_of(x)][index(x) % 3]; };
+  const HalfEdge o = opposite[index(h)], n = next_in_face(h), p = prev_in_face(h);
+  const HalfEdge m = next_in_face(o), q = prev_in_face(o);
+  const std::uint32_t s = face_of(h), t = face_of(o);
+  const auto f = static_cast<HalfEdge>(3 * s), g = static_cast<HalfEdge>(3 * t);
+  const std::array<FlippedSide, 6> sides{{{f, m, h},
+                                          {f + 1, kNoHalfEdge, q},
+                                          {f + 2, p, p},
+                                          {g, q, q},
+                                          {g + 1, n, n},
+                                          {g + 2, kNoHalfEdge, p}}};
+  std::array<HalfEdge, 6> beyond{};
+  for (std::size_t k = 0; k < 6; ++k) {
+    beyond[k] =
+        sides[k].side == kNoHalfEdge ? (k == 1 ? g + 2 : f + 1) : opposite[index(sides[k].side)];
+  }
+  const std::uint32_t a = from(h), b = from(n), c = from(p), d = from(q);
+  triangles[s] = {a, d, c};
+  triangles[t] = {d, b, c};
+  for (std::size_t k = 0; k < 6; ++k) {
+    opposite[index(sides[k].at)] = beyond[k];
+    if (beyond[k] != kNoHalfEdge) opposite[index(beyond[k])] = sides[k].at;
+  }
+  return sides;
+}
+
 }  // namespace burin

@@ -1,7 +1,8 @@
 #include "unfold.h"
 
+#include <burin/work_mesh/half_edges.h>
+
 #include <algorithm>
-#include <array>
 
 namespace burin {
 namespace {
@@ -154,39 +155,13 @@ class Unfolder {
     if (best >= 0) flip(best);
   }
 
-  struct Corner {
-    std::uint32_t vertex;
-    Vec2 uv;
-    std::uint8_t pole;
-    std::int32_t border;
-    HalfEdge opposite;
-  };
-  Corner corner(HalfEdge h) const {
-    return {from(h), m_.uv[at(h)], raw_.pole[at(h)], m_.border[at(h)], opposite_[at(h)]};
-  }
-  void set(HalfEdge h, const Corner& c) {
-    m_.triangles[face_of(h)][at(h % 3)] = c.vertex;
-    m_.uv[at(h)] = c.uv;
-    raw_.pole[at(h)] = c.pole;
-    m_.border[at(h)] = c.border;
-    opposite_[at(h)] = c.opposite;
-    if (c.opposite >= 0) opposite_[at(c.opposite)] = h;
-  }
-
-  /// (a,b,c) and (b,a,d) become (a,d,c) and (d,b,c).
   void flip(HalfEdge h) {
-    const HalfEdge o = opposite_[at(h)];
-    const Corner ad = corner(next_in_face(o)), db = corner(prev_in_face(o)),
-                 bc = corner(next_in_face(h)), ca = corner(prev_in_face(h));
-    Corner dc = db, cd = ca;
-    dc.border = cd.border = -1;
-    const auto f = static_cast<HalfEdge>(3 * face_of(h)), g = static_cast<HalfEdge>(3 * face_of(o));
-    dc.opposite = g + 2;
-    cd.opposite = f + 1;
-    set(f, ad), set(f + 2, ca), set(g, db), set(g + 1, bc);
-    set(f + 1, dc), set(g + 2, cd);
     changed_.push_back(face_of(h));
-    changed_.push_back(face_of(o));
+    changed_.push_back(face_of(opposite_[at(h)]));
+    const auto flipped = flip_edge(m_.triangles, opposite_, h);
+    carry(flipped, &FlippedSide::corner, m_.uv);
+    carry(flipped, &FlippedSide::corner, raw_.pole);
+    carry(flipped, &FlippedSide::side, m_.border, -1);
   }
 
   RawMesh& raw_;

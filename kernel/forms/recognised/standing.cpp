@@ -93,38 +93,9 @@ class StandingTurner {
   }
 
   void turn(HalfEdge h) {
-    const HalfEdge o = opposite_[index(h)];
-    const std::uint32_t s = face_of(h), t = face_of(o);
-    const auto [one, other] = turned(h);
-    // What the sides were, from their origin on; inner ones are new.
-    const std::array<HalfEdge, 6> from{next_in_face(o), kNoHalfEdge,     prev_in_face(h),
-                                       prev_in_face(o), next_in_face(h), kNoHalfEdge};
-    const std::array<HalfEdge, 6> corner{
-        h, prev_in_face(o), prev_in_face(h), prev_in_face(o), next_in_face(h), prev_in_face(h)};
-    std::array<std::int32_t, 6> edge{};
-    std::array<Vec3, 6> normal{};
-    std::array<HalfEdge, 6> beyond{};
-    for (std::size_t k = 0; k < 6; ++k) {
-      const bool inner = from[k] == kNoHalfEdge;
-      edge[k] = inner ? -1 : m_.edge[index(from[k])];
-      beyond[k] = inner ? kNoHalfEdge : opposite_[index(from[k])];
-      normal[k] = m_.normal[index(corner[k])];
-    }
-    const auto place = [&](std::size_t k) {
-      return static_cast<HalfEdge>(3 * (k < 3 ? s : t) + k % 3);
-    };
-    m_.mesh.triangles[s] = one;
-    m_.mesh.triangles[t] = other;
-    for (std::size_t k = 0; k < 6; ++k) {
-      m_.edge[index(place(k))] = edge[k];
-      m_.normal[index(place(k))] = normal[k];
-      link(place(k), beyond[k]);
-    }
-    link(place(1), place(5));
-  }
-  void link(HalfEdge h, HalfEdge beyond) {
-    opposite_[index(h)] = beyond;
-    if (beyond != kNoHalfEdge) opposite_[index(beyond)] = h;
+    const auto flipped = flip_edge(m_.mesh.triangles, opposite_, h);
+    carry(flipped, &FlippedSide::side, m_.edge, -1);
+    carry(flipped, &FlippedSide::corner, m_.normal);
   }
 
   FacetMesh& m_;

@@ -4,7 +4,6 @@
 
 #include "mostly_empty.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,27 +21,33 @@ std::vector<bool> seen_rows(const Scene& scene, const Illustration& illustration
   return before;
 }
 
-Illustration with_rows(Illustration illustration, const std::vector<bool>& wanted) {
+Annotations with_rows(Annotations over, const std::vector<bool>& wanted) {
   std::size_t i = 0;
-  std::erase_if(illustration.illustrate.annotations->legend,
-                [&](const LegendRow&) { return !wanted[i++]; });
-  return illustration;
+  std::erase_if(over.legend, [&](const LegendRow&) { return !wanted[i++]; });
+  return over;
 }
 
-/// Whether a sheet is another with room for those rows of the legend alone that a drawing shows:
-/// one as large as the drawing has no room for more, what had no room for all rows may have it for
-/// some, and a drawing is worth making again where it comes out clearly larger.
-bool is_laid_out_by_rows(const SheetOfViews& sheet, const Illustration& illustration,
-                         const std::vector<bool>& wanted) {
+/// The rows of the legend for which a sheet is laid out: all, or those alone that a drawing shows.
+/// A sheet as large as its drawing has no room for more; where all rows have none, some may have;
+/// and a drawing that comes out clearly larger is worth making again.
+std::vector<bool> rows_to_lay_out(const Scene& scene, const SheetOfViews& sheet,
+                                  const Illustration& illustration, const Drawing& drawing) {
   constexpr double kLarger = 1.1;
   const Annotations& over = *illustration.illustrate.annotations;
   const CalloutOptions& style = illustration.style.callout;
   const Paper& paper = sheet.camera().paper();
-  if (illustration.sheet.fits || !legend_box(over, style, paper)) return true;
-  if (illustration.view.scale || std::ranges::find(wanted, false) == wanted.end()) return false;
-  const Illustration seen = with_rows(illustration, wanted);
-  return scale_beside_tables(*seen.illustrate.annotations, style, paper) >
-         kLarger * scale_beside_tables(over, style, paper);
+  std::vector<bool> all(over.legend.size(), true);
+  const std::vector<bool> none(over.legend.size(), false);
+  const auto larger_with = [&](const std::vector<bool>& rows) {
+    return scale_beside_tables(with_rows(over, rows), style, paper) >
+           kLarger * scale_beside_tables(over, style, paper);
+  };
+  const bool by_rows = illustration.sheet.fits || !legend_box(over, style, paper);
+  // Which rows are seen takes longer than to see that it makes no difference.
+  if (!by_rows && (illustration.view.scale || !larger_with(none))) return all;
+  std::vector<bool> seen = seen_rows(scene, illustration, drawing, {});
+  if (by_rows || larger_with(seen)) return seen;
+  return all;
 }
 
 }  // namespace
@@ -54,12 +59,12 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Illustra
   const std::optional<Annotations>& over = illustration.illustrate.annotations;
   if (over && !over->legend.empty()) {
     std::vector<bool> laid(over->legend.size(), true);
-    std::vector<bool> wanted = seen_rows(scene, illustration, drawing, {});
-    if (!is_laid_out_by_rows(sheet, illustration, wanted)) wanted = laid;
+    std::vector<bool> wanted = rows_to_lay_out(scene, sheet, illustration, drawing);
     // At another scale a colour may be seen that was not: rows are added until none is missing.
     while (wanted != laid) {
       laid = wanted;
-      const Illustration seen = with_rows(illustration, laid);
+      Illustration seen = illustration;
+      seen.illustrate.annotations = with_rows(*over, laid);
       Scene again = scene;
       const SheetOfViews fitted = plan_sheet(again, seen);
       drawing = illustrate(scene, fitted, seen.style, seen.illustrate, context, session);

@@ -1,5 +1,5 @@
 #pragma once
-/// How wide and high what is drawn looks; internal to the module.
+/// The size of what is drawn, as the view shows it; internal to the module.
 
 #include <burin/arrange/illustration.h>
 #include <burin/base/vec.h>

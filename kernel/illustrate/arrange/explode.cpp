@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace burin {
@@ -129,9 +130,9 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   select_parts(scene, illustration);
   number_parts(scene, illustration, context);
   place_parts(scene, illustration, context);
-  if (illustration.illustrate.annotations) {
-    illustration.illustrate.annotations->shape = detail::drawn_shape(scene, illustration);
-  }
+  std::optional<Annotations>& over = illustration.illustrate.annotations;
+  const bool tables = over && (over->parts_list || !over->legend.empty());
+  if (tables) over->shape = detail::drawn_shape(scene, illustration);
 }
 
 }  // namespace burin

@@ -94,6 +94,12 @@ Mat3 axes_of(const Camera& camera) {
   return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
 }
 
+/// Those of a view, whatever it shows.
+Mat3 axes_of(const ViewOptions& view) {
+  const ViewOptions sides{.direction = view.direction, .up = view.up};
+  return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
+}
+
 /// Places views of an illustration one after the other.
 class SheetPlanner {
  public:
@@ -115,7 +121,7 @@ class SheetPlanner {
 
   SheetOfViews run() {
     const Vec2 free = frame_.size();
-    details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_camera()),
+    details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_view()),
                                     std::min(free.x, free.y));
     frame_ = detail::place_details(
         details_, detail_caption(illustration_.style.callout),
@@ -184,14 +190,6 @@ class SheetPlanner {
   ViewOptions first_view() const {
     return illustration_.views.empty() ? illustration_.view
                                        : options_of(illustration_.views.front());
-  }
-
-  /// As the first view looks; its place and scale are settled later.
-  Camera first_camera() const {
-    ViewOptions view = first_view();
-    view.perspective.reset();
-    view.margin = 0;
-    return Camera::fit(extent(view), view);
   }
 
   /// A camera whose picture stands in the middle of a box.
@@ -299,14 +297,8 @@ class SheetPlanner {
 
 Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
   if (!illustration.views.empty()) return Vec2(0);
-  ViewOptions view = illustration.view;
-  view.perspective.reset();
-  view.scale.reset();
-  view.center.reset();
-  view.margin = 0;
-  view.paper = {};
-  const Camera::ExtentFn extent = extent_of(scene, illustration, view);
-  const Vec3 size = extent(axes_of(Camera::fit(extent, view))).size();
+  const ViewOptions& view = illustration.view;
+  const Vec3 size = extent_of(scene, illustration, view)(axes_of(view)).size();
   return {size.x, size.y};
 }
 

@@ -223,6 +223,17 @@ Scene full_case() {
   return scene;
 }
 
+/// In colours with a legend, seen from above.
+Illustration flat_from_above(const Paper& paper) {
+  Illustration illustration;
+  illustration.style = builtin_style("flat");
+  illustration.legend = true;
+  illustration.view.paper = paper;
+  illustration.view.direction = {0, 0, 1};
+  illustration.view.up = {0, 1, 0};
+  return illustration;
+}
+
 TEST(Arrange, ASheetThatFitsHasRoomForTheRowsOfTheLegendThatAreSeenAlone) {
   Illustration illustration;
   illustration.style = builtin_style("flat");
@@ -320,12 +331,7 @@ TEST(Arrange, ALegendThatTellsNothingApartIsTold) {
 }
 
 TEST(Arrange, ALegendOfSomeOfTheColoursStandsWhereRoomIsKeptForAll) {
-  Illustration illustration;
-  illustration.style = builtin_style("flat");
-  illustration.legend = true;
-  illustration.view.paper = {148, 105};
-  illustration.view.direction = {0, 0, 1};
-  illustration.view.up = {0, 1, 0};
+  const Illustration illustration = flat_from_above({148, 105});
   RunContext context;
   for (std::size_t hidden = 1; hidden <= 8; ++hidden) {
     for (std::size_t shown = 1; shown <= 11; ++shown) {
@@ -343,12 +349,7 @@ TEST(Arrange, ALegendOfSomeOfTheColoursStandsWhereRoomIsKeptForAll) {
 }
 
 TEST(Arrange, ALegendOfFewRowsThatAreSeenLeavesTheSheetToTheDrawing) {
-  Illustration illustration;
-  illustration.style = builtin_style("flat");
-  illustration.legend = true;
-  illustration.view.paper = {105, 74};
-  illustration.view.direction = {0, 0, 1};
-  illustration.view.up = {0, 1, 0};
+  const Illustration illustration = flat_from_above({105, 74});
   const auto scale = [&](const Scene& scene) {
     RunContext context;
     const Drawing drawing = illustrate(scene, illustration, context);
@@ -357,16 +358,12 @@ TEST(Arrange, ALegendOfFewRowsThatAreSeenLeavesTheSheetToTheDrawing) {
   };
   Scene alone = full_case();
   alone.parts.resize(1);
-  EXPECT_EQ(scale(full_case()), scale(alone)) << "what is inside keeps no room";
+  EXPECT_EQ(scale(full_case()), scale(alone)) << "colours that are not seen take no space";
 }
 
 TEST(Arrange, ALegendThatHasRoomForWhatIsSeenKeepsClearOfTheDrawing) {
-  Illustration illustration;
-  illustration.style = builtin_style("flat");
+  Illustration illustration = flat_from_above({});
   illustration.style.callout.list_height = 12;  // twenty rows have none
-  illustration.legend = true;
-  illustration.view.direction = {0, 0, 1};
-  illustration.view.up = {0, 1, 0};
   RunContext context;
   const Drawing drawing = illustrate(full_case(), illustration, context);
   EXPECT_TRUE(legend_is_clear(drawing));

@@ -75,12 +75,8 @@ TEST(Section, ABoxKeepsItsHalf) {
 }
 
 TEST(Section, WhatClosesAPlaneIsOneFaceOfAMesh) {
-  TriMesh both = test::box({0, 0, 0}, {2, 3, 4});
-  const auto first = static_cast<std::uint32_t>(both.positions.size());
-  for (const Vec3& p : test::box({0, 5, 0}, {2, 8, 4}).positions) both.positions.push_back(p);
-  for (const Triangle& t : test::box({0, 5, 0}, {2, 8, 4}).triangles) {
-    both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  const TriMesh both =
+      test::joined(test::box({0, 0, 0}, {2, 3, 4}), test::box({0, 5, 0}, {2, 8, 4}));
   const auto surface = realised(cut_form(mesh(both), {{1, 0, 0}, 0.5}, 1, "boxes"));
   const ProxyMesh& proxy = surface->proxy();
   std::set<std::int32_t> kept, closing;

@@ -38,8 +38,8 @@ struct Annotations {
   std::vector<LegendRow> legend = {};
   /// The empty border of the sheet, in which nothing of it stands.
   Margin margin{};
-  /// Width and height of what is drawn, in any unit, so that tables stand where it comes out
-  /// largest; 0: not known.
+  /// Width and height of what is drawn, in any unit; 0: not known. Tables are placed where they
+  /// leave it the largest scale.
   Vec2 shape{0};
 };
 

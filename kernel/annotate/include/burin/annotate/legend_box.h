@@ -15,8 +15,8 @@ namespace burin {
 std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOptions& style,
                                const Paper& paper);
 
-/// The scale at which what has `Annotations::shape` fits beside the tables, to be compared with
-/// that of others; where the shape is not known the root of the area in paper mm.
+/// The largest scale at which a drawing of the size `Annotations::shape` fits beside the tables, to
+/// compare with that of other tables. If the shape is not known: the root of the area in paper mm.
 double scale_beside_tables(const Annotations& annotations, const CalloutOptions& style,
                            const Paper& paper);
 
