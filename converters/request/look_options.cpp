@@ -165,6 +165,17 @@ std::vector<RequestRow<Draft>> look_option_rows() {
          d.plan.illustrate.hidden =
              std::get<std::uint64_t>(a.value) == 0 ? HiddenLines::None : HiddenLines::Dashed;
        }},
+      {{.option = {.name = "centre_lines",
+                   .meaning = "draw the axes of round faces and marks where these are seen along "
+                              "their axis: auto, or none (default: as the style has it)",
+                   .takes = WordList{{"none", "auto"}}},
+        .group = kLook,
+        .label = "none|auto",
+        .also = {"center lines", "centreline", "centerline", "centre marks", "center marks",
+                 "axes", "axis", "axis lines"}},
+       [](Draft& d, const Asked& a) {
+         d.plan.style.feature.centre_lines = std::get<std::uint64_t>(a.value) == 1;
+       }},
       {{.option = {.name = "tolerance",
                    .meaning =
                        "chord tolerance of any tessellation, in model mm (default: less than "

@@ -43,6 +43,7 @@ int common_weight(const InkLayer& layer) {
 std::string_view linetype_of(const InkLayer& layer) {
   if (!layer.own_dashes.empty()) return layer.own_dashes.size() < 4 ? dxf::kDashed : dxf::kDashDot;
   if (layer.name == kHiddenLayer) return dxf::kDashed;
+  if (layer.name == kCentreLayer) return dxf::kLongDashDot;
   return layer.name == kTrailLayer ? dxf::kDashDot : dxf::kContinuous;
 }
 
@@ -53,6 +54,7 @@ dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
   frame.high = frame.sheet;
   frame.dashes = InkLayer{std::string(kHiddenLayer), {}}.dashes(options.dashes);
   frame.dash_dots = InkLayer{std::string(kTrailLayer), {}}.dashes(options.dashes);
+  frame.long_dash_dots = InkLayer{std::string(kCentreLayer), {}}.dashes(options.dashes);
   bool first = true;
   const auto add = [&](Vec2 p) {
     frame.low = first ? p : glm::min(frame.low, p);

@@ -74,7 +74,7 @@ void append_vport(Groups& out, const Frame& f) {
 }
 
 void append_linetypes(Groups& out, const Frame& f) {
-  begin_table(out, "LTYPE", Fixed::LtypeTable, 5);
+  begin_table(out, "LTYPE", Fixed::LtypeTable, 6);
   const auto plain = [&](Fixed handle, std::string_view name, std::string_view description) {
     row(out, "LTYPE", handle, Fixed::LtypeTable, "AcDbLinetypeTableRecord");
     out.text(2, name).whole(70, 0).text(3, description).whole(72, 65).whole(73, 0).real(40, 0);
@@ -94,6 +94,8 @@ void append_linetypes(Groups& out, const Frame& f) {
   };
   broken(Fixed::Dashed, kDashed, "ISO 128 dashed __ __ __", f.dashes);
   broken(Fixed::DashDot, kDashDot, "ISO 128 dash dot __ . __ . __", f.dash_dots);
+  broken(Fixed::LongDashDot, kLongDashDot, "ISO 128 long dash dot ____ . ____ . ____",
+         f.long_dash_dots);
   end_table(out);
 }
 

@@ -38,7 +38,7 @@ std::string symbol_name(std::string_view name, const std::vector<LayerRow>& take
 /// Sizes that the head tells of.
 struct Frame {
   Vec2 sheet{0}, low{0}, high{0};
-  std::vector<double> dashes, dash_dots;
+  std::vector<double> dashes, dash_dots, long_dash_dots;
   std::uint64_t next_handle = 0;
 };
 

@@ -47,12 +47,14 @@ enum class Fixed : std::uint64_t {
   PaperLayout,
   MlineStyle,
   DashDot,
+  LongDashDot,
   FirstLayer = 0x100
 };
 
 inline constexpr std::string_view kContinuous = "Continuous";
 inline constexpr std::string_view kDashed = "ACAD_ISO02W100";
 inline constexpr std::string_view kDashDot = "ACAD_ISO10W100";
+inline constexpr std::string_view kLongDashDot = "ACAD_ISO04W100";
 /// The application whose extended data (XDATA) names the source of an entity.
 inline constexpr std::string_view kApplication = "BURIN";
 

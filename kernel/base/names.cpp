@@ -34,6 +34,8 @@ const char* to_string(LineClass kind) {
       return "pattern";
     case LineClass::Trail:
       return "trail";
+    case LineClass::Centre:
+      return "centre";
     case LineClass::Leader:
       return "leader";
     case LineClass::Frame:

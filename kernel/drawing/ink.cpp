@@ -62,6 +62,7 @@ std::vector<double> InkLayer::dashes(const DashOptions& options) const {
   if (name == kHiddenLayer) return {options.dash, options.gap};
   constexpr double kDot = 0.01;  // paper mm: its round caps make it a dot
   if (name == kTrailLayer) return {2 * options.dash, options.gap, kDot, options.gap};
+  if (name == kCentreLayer) return {3 * options.dash, options.gap, kDot, options.gap};
   return {};
 }
 
@@ -73,7 +74,9 @@ std::vector<double> fitted_dashes(const std::vector<double>& dashes, const Path&
   if (!(length > 0) || !(period > 0)) return dashes;
   // An open line has one dash more than it has periods.
   const double more = path.closed ? 0 : dashes.front();
-  const double periods = std::round((length - more) / period);
+  // In an even number of them the middle is a dash.
+  const double together = path.kind == LineClass::Centre && !path.closed ? 2 : 1;
+  const double periods = together * std::round((length - more) / (together * period));
   if (periods < 1) return {length, period};
   std::vector<double> fitted = dashes;
   for (double& one : fitted) one *= length / (periods * period + more);

@@ -175,8 +175,9 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                       const Composition& how, Drawing& drawing, std::vector<Path>* found,
                       const RunContext& context) {
   std::vector<Layer> layers;
-  for (const char* name : {"hidden", "behind", "trail", "pattern", "isophote", "seam", "smooth",
-                           "intersection", "crease", "section", "boundary", "contour", "outline"}) {
+  for (const char* name :
+       {"hidden", "behind", "centre", "trail", "pattern", "isophote", "seam", "smooth",
+        "intersection", "crease", "section", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
   for (std::size_t i = 0; i < lines.features.size(); ++i) {
@@ -212,6 +213,12 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
         layer->paths.push_back(std::move(path));
       }
     }
+  }
+  for (const Curve3& curve : lines.centres) {
+    Path path = to_path(curve, how.camera);
+    path.width = {how.feature_width(curve, {})};
+    path.color = how.feature_color(curve);
+    std::ranges::find(layers, kCentreLayer, &Layer::name)->paths.push_back(std::move(path));
   }
   keep_one_line(layers, context);
   join_lines(layers, context);
@@ -253,6 +260,8 @@ double Composition::feature_width(const Curve3& feature, const Span& span) const
       return line.contour;
     case LineClass::Trail:
       return line.trail;
+    case LineClass::Centre:
+      return line.centre;
     default:
       return line.crease;
   }
@@ -278,6 +287,8 @@ bool Composition::draws(const Curve3& feature) const {
       return true;
     case LineClass::Trail:
       return drawn.trails;
+    case LineClass::Centre:
+      return drawn.centre_lines;
     default:
       return drawn.creases;
   }

@@ -25,6 +25,8 @@ struct LinesToDraw {
   std::span<const std::vector<Span>> feature_spans;
   std::span<const Curve3> strokes;
   std::span<const std::vector<Span>> stroke_spans;
+  /// Seen all along.
+  std::span<const Curve3> centres = {};
 };
 
 /// How they are to be drawn.

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/plugin_error.h>
+#include <burin/centre_lines/centre_lines.h>
 #include <burin/feature/feature.h>
 #include <burin/illustrate/legend.h>
 #include <burin/section/hatch_cuts.h>
@@ -32,6 +33,20 @@ bool states_gamma(const PartStyles& part_styles) {
     const tone::ToneOptions& tone = *strokes.tone;
     return balances(tone) && (tone.median_min > 0 || tone.median_max < 1);
   });
+}
+
+std::vector<Curve3> centre_lines_of(const Occluders& occluders, const Camera& camera,
+                                    const PartStyles& part_styles, HiddenLines hidden,
+                                    Diagnostics& said, const RunContext& context) {
+  CentreLineOptions options{.over = {}, .hidden = hidden != HiddenLines::None};
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const Style& style = part_styles.style(i);
+    options.over.emplace_back();
+    if (part_styles.drawn(i) && style.feature.centre_lines) {
+      options.over.back() = style.line.centre_over;
+    }
+  }
+  return centre_lines(occluders.surfaces(), camera, occluders.solid(), options, said, context);
 }
 
 FeatureOptions feature_options(const PartStyles& part_styles) {
@@ -301,8 +316,10 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   report_solid_glass(scene, part_styles, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
+  const std::vector<Curve3> centres =
+      centre_lines_of(*trees, camera, part_styles, options.hidden, drawing.diagnostics, context);
   const LinesToDraw to_draw{features->sight.features(), features->sight.feature_spans(),
-                            all.strokes(), *spans};
+                            all.strokes(), *spans, centres};
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);

@@ -91,9 +91,7 @@ void Layers::add(const std::string& group, const std::string& name, Path path) {
   const std::string hidden(kHiddenLayer);
   Layer& layer = named(fmt::format("{}-{}", group, dashed ? hidden : name), look);
   if (layer.dashes.empty() && dashed) layer.dashes = InkLayer{hidden, {}}.dashes({});
-  if (layer.dashes.empty() && name == kTrailLayer) {
-    layer.dashes = InkLayer{std::string(kTrailLayer), {}}.dashes({});
-  }
+  if (layer.dashes.empty()) layer.dashes = InkLayer{name, {}}.dashes({});
   layer.paths.push_back(std::move(path));
 }
 

@@ -122,6 +122,7 @@ const std::vector<IllustrationKey>& illustration_keys() {
       {"paper.size", "paper"},
       {"paper.margin", "margin"},
       {"hidden", "hidden"},
+      {"centre_lines", "centre_lines"},
       {"tolerance", "tolerance"},
       {"seed", "seed"},
       {"callouts", "callouts"},

@@ -10,6 +10,7 @@ from .errors import Refused
 from .features import details, make_illustration, section
 from .features.explosion import Step
 from .features.looks import with_flag, with_style
+from .features.properties import CENTRE_LINES
 from .features.sources import survey
 from .job import shortened
 from .match_parts import match
@@ -123,7 +124,10 @@ def _style(burin, told, notes):
     else:
         name, keys = _nearest(burin, style)
     keys.update(_lights(burin, told, notes))
-    return {"Style": name, "StyleKeys": keys, "Light": FreeCAD.Vector(*told["light"])}
+    drawn = keys.get(CENTRE_LINES) in ("true", True)
+    if drawn:
+        del keys[CENTRE_LINES]  # it has a property
+    return {"Style": name, "StyleKeys": keys, "CentreLines": drawn, "Light": FreeCAD.Vector(*told["light"])}
 
 
 def _keys(burin, style):

@@ -46,9 +46,9 @@ bool is_line(const Layer& layer, const Path& path) {
 /// Small comes first.
 auto rank_of(const Path& path, const Layer& layer) {
   const int hidden = path.visible ? 0 : path.in_full ? 1 : 2;
-  const bool trail = layer.name == kTrailLayer;
+  const int over = layer.name == kCentreLayer ? 2 : layer.name == kTrailLayer ? 1 : 0;
   // Widths within a tenth of a mm's hundredth are one.
-  return std::tuple(trail, hidden, -std::llround(1000 * mean_width(path)));
+  return std::tuple(over, hidden, -std::llround(1000 * mean_width(path)));
 }
 
 /// The lines that stay.

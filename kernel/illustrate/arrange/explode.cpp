@@ -124,10 +124,28 @@ void place_parts(Scene& scene, Illustration& illustration, RunContext& context) 
   move_parts(scene, moves);
 }
 
+/// Centre lines go beyond the outline, to which a drawing is fitted.
+void keep_room_for_centre_lines(Illustration& illustration) {
+  double room = 0;
+  const auto look_at = [&](const Style& style) {
+    if (!style.feature.centre_lines) return;
+    room = std::max(room, style.line.centre_over + style.line.centre);
+  };
+  look_at(illustration.style);
+  for (const PartStyle& part : illustration.illustrate.part_styles) {
+    if (part.drawn && part.style) look_at(*part.style);
+  }
+  Margin& margin = illustration.sheet.margin;
+  for (double* side : {&margin.top, &margin.right, &margin.bottom, &margin.left}) {
+    *side = std::max(*side, room);
+  }
+}
+
 }  // namespace
 
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
   select_parts(scene, illustration);
+  keep_room_for_centre_lines(illustration);
   number_parts(scene, illustration, context);
   place_parts(scene, illustration, context);
   std::optional<Annotations>& over = illustration.illustrate.annotations;

@@ -93,6 +93,9 @@ constexpr KeyNeed kShadowOfOwnColor{
     ": it is for shadows on the ground (shadow.ground=true, seen from above) and on parts without "
     "a colour; on others they have the darkest tone (tone.darkest)"};
 
+constexpr KeyNeed kCentreLines{
+    [](const KeyPlace& p) { return p.part.feature.centre_lines; },
+    ": style '{style}' draws no centre lines (feature.centre_lines=true does)"};
 constexpr KeyNeed kStrokes{stroked, ": style '{style}' draws no strokes (hatch.enabled=true does)"};
 constexpr KeyNeed kBare{[](const KeyPlace& p) { return p.hatched; },
                         ": all parts are drawn without strokes (`ghost`, `highlight`)"};
@@ -120,6 +123,8 @@ struct Row {
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = {
+      {"line.centre", {kCentreLines}},
+      {"line.centre_over", {kCentreLines}},
       {"fill.color", {kSeen}},
       {"fill.opacity", {kColored}},
       {"fill.ink", {kColored, kSeen}},

@@ -49,6 +49,9 @@ std::vector<OptionRow<LineOptions>> line_rows() {
       number("hidden", &LineOptions::hidden, width, "width of hidden lines, in mm"),
       number("trail", &LineOptions::trail, width,
              "width of the lines on which parts of exploded views have come, in mm"),
+      number("centre", &LineOptions::centre, width, "width of centre lines, in mm"),
+      number("centre_over", &LineOptions::centre_over, {0, 50, "mm"},
+             "how far centre lines go beyond the outline, in mm"),
 
       color("color", &LineOptions::color,
             "colour of the lines, of strokes too; a part in a style of its own has its "

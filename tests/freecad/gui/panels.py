@@ -71,6 +71,8 @@ class Editing(support.Case):
         child(QtGui.QWidget, "width").setProperty("rawValue", 120.0)
         pick(child(QtGui.QComboBox, "style"), "outline")
         pick(child(QtGui.QComboBox, "hidden"), "Dashed")
+        child(QtGui.QCheckBox, "centre-lines").setChecked(True)
+        self.assertTrue(self.obj.CentreLines)
         pick(child(QtGui.QComboBox, "view"), "front")
         self.drawn()
         self.assertEqual(child(QtGui.QLabel, "message").text(), "drawn")

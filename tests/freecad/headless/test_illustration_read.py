@@ -59,7 +59,7 @@ class IllustrationRead(Case):
         ball.Placement = placed(70, 30, 0, (1, 2, 3), 40)
         obj = self.illustration(box, ball, Style="engraving", Width=150, Height=100, Margin=7, HiddenLines="Dashed", Seed=3,
                                 Light=V(0.5, 0.2, 0.9), ViewDirection=V(1, -2, 0.7), ViewUp=V(0, 1, 0.5),
-                                StyleKeys={"line.outer": "0.8", "hatch.taper": "1"}, Tolerance=0.05,
+                                StyleKeys={"line.outer": "0.8", "hatch.taper": "1"}, CentreLines=True, Tolerance=0.05,
                                 Looks={"Box": "not hatched;transparent", "Ball": "style=outline"})
         obj.Label = "A box and a ball"
         other = self.back(obj)

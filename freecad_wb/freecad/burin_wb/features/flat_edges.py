@@ -13,7 +13,7 @@ from .sheet_view import add_template, add_view, blank_template, sheet_center, sh
 TOLERANCE = 0.02
 
 # Kinds of paths that are no lines of the model: numbers with their leaders, lists, the ways of an exploded view; and hatching.
-NOTES, STROKES = ("leader", "frame", "trail"), ("stroke", "pattern")
+NOTES, STROKES = ("leader", "frame", "trail", "centre"), ("stroke", "pattern")
 
 
 class FlatEdges:

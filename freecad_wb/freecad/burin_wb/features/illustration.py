@@ -11,7 +11,7 @@ from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
 from .apart import options_of
-from .properties import ILLUSTRATION, ensure, is_newer
+from .properties import CENTRE_LINES, ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
 
@@ -187,7 +187,7 @@ def make_job(obj):
         "margin": obj.Margin.Value,
         "scale": None if obj.FitScale else obj.Scale,
         "style": style,
-        "set": dict(obj.StyleKeys),
+        "set": {**dict(obj.StyleKeys), **({CENTRE_LINES: "true"} if obj.CentreLines else {})},
         "light": tuple(obj.Light),
         "hidden": obj.HiddenLines.lower(),
         "seed": obj.Seed,

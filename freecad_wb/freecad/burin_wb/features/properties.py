@@ -39,6 +39,7 @@ ILLUSTRATION = (
         "From the model to the light: right, up, to the viewer"),
     Row("HiddenLines", "App::PropertyEnumeration", "Style", [word.capitalize() for word in _OPTIONS["hidden"]["words"]],
         "Hidden feature lines: left out or dashed"),
+    Row("CentreLines", "App::PropertyBool", "Style", False, "Axes of round faces, and marks where they are seen along their axis"),
     Row("Seed", "App::PropertyInteger", "Style", 1, "Seed of all that is left to chance"),
     Row("Tolerance", "App::PropertyLength", "Style", 0.0,
         "Chord tolerance in the model; 0 = chosen from the sheet"),
@@ -63,6 +64,7 @@ ILLUSTRATION = (
     Row("Message", "App::PropertyString", "Result", "", "Messages of the last run"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
+CENTRE_LINES = "feature.centre_lines"  # the style key of CentreLines
 READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema", "Middle"}
 HIDDEN = {"Inputs", "Schema", "Middle"}
 

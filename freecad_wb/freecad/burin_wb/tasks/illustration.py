@@ -85,6 +85,9 @@ class IllustrationPanel(Panel):
         self.hidden = widgets.choice(words, self.obj.HiddenLines, tr("How hidden lines are drawn"),
                                      lambda v: self.change("HiddenLines", v), "hidden", [tr(w.lower()) for w in words])
         form.addRow(tr("Hidden lines"), self.hidden)
+        self.centres = widgets.check(self.obj.CentreLines, tr("Centre lines"), tr("Axes of round faces, and marks where they are seen along their axis"),
+                                     lambda on: self.change("CentreLines", on), "centre-lines")
+        form.addRow(self.centres)
         self.seed = widgets.whole(self.obj.Seed, tr("Seed of all that is left to chance: another one gives other strokes"),
                                   lambda v: self.change("Seed", v), "seed", 0, 2**31 - 1)
         form.addRow(tr("Seed"), self.seed)

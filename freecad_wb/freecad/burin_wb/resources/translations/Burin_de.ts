@@ -72,6 +72,10 @@
       <translation>Bei</translation>
     </message>
     <message>
+      <source>Axes of round faces, and marks where they are seen along their axis</source>
+      <translation>Achsen runder Flächen, und Mittelkreuze, wo sie in Richtung der Achse zu sehen sind</translation>
+    </message>
+    <message>
       <source>Back</source>
       <translation>Hinten</translation>
     </message>
@@ -86,6 +90,10 @@
     <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Centre lines</source>
+      <translation>Mittellinien</translation>
     </message>
     <message>
       <source>Chooses a style file</source>

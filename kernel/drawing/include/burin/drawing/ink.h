@@ -20,6 +20,9 @@ inline constexpr std::string_view kHiddenLayer = "hidden";
 /// The layer of the lines on which parts of exploded views have come.
 inline constexpr std::string_view kTrailLayer = "trail";
 
+/// The layer of centre lines and centre marks.
+inline constexpr std::string_view kCentreLayer = "centre";
+
 /// The layer of the border between the drawing and empty paper.
 inline constexpr std::string_view kOutlineLayer = "outline";
 
@@ -34,13 +37,15 @@ struct InkLayer {
   std::vector<double> own_dashes = {};
 
   /// Lengths of ink and gaps in turn, paper mm; empty: its lines are not interrupted. Hidden lines
-  /// are dashed; trails have a dot between dashes twice as long; layers may say it themselves.
+  /// are dashed; trails have a dot between dashes twice as long, centre lines between dashes three
+  /// times as long; layers may say it themselves.
   std::vector<double> dashes(const DashOptions& options) const;
 };
 
 /// Lengths of ink and gaps for one path: stretched or shrunk, all by one factor, so that the path
 /// begins and ends with a dash and has at least one; a closed path has whole periods. One dash
-/// where the path is shorter than two with a gap.
+/// where the path is shorter than two with a gap. A centre line has a dash in its middle, where
+/// others cross it.
 std::vector<double> fitted_dashes(const std::vector<double>& dashes, const Path& path);
 
 /// The layers in the order of painting. Hidden paths are gathered in the layer "hidden", which

@@ -23,6 +23,9 @@ struct FeatureOptions {
   std::size_t isophotes = 0;
   /// The lines on which parts of exploded views have come: `extract_features` does not look at it.
   bool trails = true;
+  /// Of faces of revolution (burin/centre_lines/centre_lines.h): `extract_features` does not look
+  /// at it.
+  bool centre_lines = false;
   /// Degrees between neighbouring triangles from which an edge is sharp: forms that have no edges
   /// of their own take it (RealiseOptions), `extract_features` does not look at it.
   double crease_angle = 30;

@@ -16,7 +16,8 @@
 namespace burin {
 
 /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth edges
-/// and seams, intersections, hidden lines, trails of exploded views; and their colour.
+/// and seams, intersections, hidden lines, trails of exploded views, centre lines; and their
+/// colour.
 struct LineOptions {
   double outer = 0.5;
   double contour = 0.3;
@@ -26,6 +27,9 @@ struct LineOptions {
   double intersection = 0.25;
   double hidden = 0.18;
   double trail = 0.18;
+  double centre = 0.18;
+  /// Paper mm from the outline of a round face to the end of its centre line.
+  double centre_over = 2.5;
   /// "#rrggbb" of all lines, strokes too; empty: `SheetStyle::ink`.
   std::string color = {};
 

@@ -1,0 +1,193 @@
+#include "turned_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// Degrees round an axis: rounded corners and the ends of slots have half a turn at the most.
+constexpr double kLeastTurn = 190;
+/// Sine of the angle to an axis up to which a section runs along it.
+constexpr double kAlong = 1e-6;
+/// Share of a ball that a sphere without an axis is at least.
+constexpr double kLeastBall = 0.45;
+
+/// Whether both ends of what a face takes up of its axis lie on another axis.
+bool on_axis(const Axis& axis, const Axis& other, const TurnedExtent& extent, double near) {
+  const auto off = [&](double height) {
+    const Vec3 p = axis.point + height * axis.along - other.point;
+    return glm::length(p - glm::dot(p, other.along) * other.along);
+  };
+  // A short face knows its direction no better than its radius allows.
+  const double reach = std::max(extent.high - extent.low, extent.radius);
+  const double middle = 0.5 * (extent.low + extent.high);
+  return off(middle - 0.5 * reach) <= near && off(middle + 0.5 * reach) <= near;
+}
+
+double distance_to(const Axis& axis, Vec3 point) {
+  const Vec3 p = point - axis.point;
+  return glm::length(p - glm::dot(p, axis.along) * axis.along);
+}
+
+double area_of(const ProxyMesh& proxy, std::span<const std::uint32_t> triangles) {
+  double sum = 0;
+  for (const std::uint32_t t : triangles) {
+    const auto& [a, b, c] = proxy.mesh.triangles[t];
+    const auto& p = proxy.mesh.positions;
+    sum += 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
+  }
+  return sum;
+}
+
+struct CutPlane {
+  Vec3 point, normal;
+};
+
+/// The planes of sections that a surface has.
+std::vector<CutPlane> cut_planes(const ProxyMesh& proxy) {
+  std::map<std::int32_t, CutPlane> planes;
+  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
+    if (!proxy.is_cut(i)) continue;
+    const auto plane = proxy.cut_plane[static_cast<std::size_t>(proxy.face_region[i])];
+    planes.try_emplace(
+        plane, CutPlane{proxy.mesh.positions[proxy.mesh.triangles[i][0]], proxy.mesh.normal(i)});
+  }
+  std::vector<CutPlane> out;
+  for (const auto& [number, plane] : planes) out.push_back(plane);
+  return out;
+}
+
+bool far_enough_round(const TurnedGroup& group, const std::vector<CutPlane>& cuts, double near) {
+  std::bitset<360> turn;
+  for (const GroupFace& face : group.faces) turn |= face.extent.turn;
+  double least = kLeastTurn;
+  for (const CutPlane& cut : cuts) {
+    const bool along = std::abs(glm::dot(cut.normal, group.axis.along)) < kAlong &&
+                       std::abs(glm::dot(cut.normal, group.axis.point - cut.point)) < near;
+    if (along) least *= 0.5;
+  }
+  return static_cast<double>(turn.count()) > least;
+}
+
+/// Collects faces into groups.
+class Grouping {
+ public:
+  Grouping(const ProxyMesh& proxy, std::int32_t part, double near)
+      : proxy_(proxy), part_(part), near_(near) {}
+
+  void add(TurnedFace face) {
+    GroupFace one{part_, std::move(face), {}};
+    one.extent = extent_about(one.turned.axis, proxy_, one.turned.triangles);
+    for (TurnedGroup& group : groups_) {
+      if (!on_axis(one.turned.axis, group.axis, one.extent, near_)) continue;
+      one.extent = extent_about(group.axis, proxy_, one.turned.triangles);
+      group.faces.push_back(std::move(one));
+      return;
+    }
+    groups_.push_back({one.turned.axis, false, {}});
+    groups_.back().faces.push_back(std::move(one));
+  }
+
+  /// A sphere turns about every axis through its centre.
+  void add_sphere(const TurnedFace& face) {
+    bool taken = false;
+    for (TurnedGroup& group : groups_) {
+      if (distance_to(group.axis, face.axis.point) > near_) continue;
+      group.faces.push_back({part_, face, extent_about(group.axis, proxy_, face.triangles)});
+      taken = true;
+    }
+    if (taken) return;
+    groups_.push_back({face.axis, true, {}});
+    groups_.back().faces.push_back({part_, face, extent_about(face.axis, proxy_, face.triangles)});
+  }
+
+  std::vector<TurnedGroup> take() {
+    const std::vector<CutPlane> cuts = cut_planes(proxy_);
+    std::erase_if(groups_, [&](const TurnedGroup& group) {
+      return group.sphere ? !is_ball(group) : !far_enough_round(group, cuts, near_);
+    });
+    for (TurnedGroup& group : groups_) {
+      std::ranges::sort(group.faces, {}, [](const GroupFace& f) { return f.turned.face; });
+    }
+    return std::move(groups_);
+  }
+
+ private:
+  bool is_ball(const TurnedGroup& group) const {
+    double area = 0;
+    for (const GroupFace& face : group.faces) area += area_of(proxy_, face.turned.triangles);
+    const double radius = glm::distance(
+        group.axis.point,
+        proxy_.mesh.positions[proxy_.mesh.triangles[group.faces[0].turned.triangles[0]][0]]);
+    return area > kLeastBall * 4 * std::numbers::pi * radius * radius;
+  }
+
+  const ProxyMesh& proxy_;
+  std::int32_t part_;
+  double near_;
+  std::vector<TurnedGroup> groups_;
+};
+
+}  // namespace
+
+double TurnedGroup::radius() const {
+  double radius = 0;
+  for (const GroupFace& face : faces) radius = std::max(radius, face.extent.radius);
+  return radius;
+}
+
+Vec3 TurnedGroup::middle() const {
+  const TurnedExtent& extent = faces.front().extent;
+  return at(0.5 * (extent.low + extent.high));
+}
+
+std::vector<TurnedGroup> turned_groups(const Surface& surface, std::int32_t part, double near,
+                                       const RunContext& context) {
+  std::vector<TurnedFace> faces = turned_faces(surface, context);
+  // The longest knows the axis best.
+  std::ranges::stable_sort(faces, std::greater(), [&](const TurnedFace& face) {
+    const TurnedExtent extent = extent_about(face.axis, surface.proxy(), face.triangles);
+    return std::max(extent.high - extent.low, extent.radius);
+  });
+  Grouping grouping(surface.proxy(), part, near);
+  for (TurnedFace& face : faces) {
+    if (!face.sphere) grouping.add(std::move(face));
+  }
+  for (const TurnedFace& face : faces) {
+    if (face.sphere) grouping.add_sphere(face);
+  }
+  return grouping.take();
+}
+
+std::vector<TurnedGroup> joined(std::vector<TurnedGroup> groups, double near) {
+  std::vector<TurnedGroup> out;
+  for (TurnedGroup& group : groups) {
+    const auto same = std::ranges::find_if(out, [&](const TurnedGroup& other) {
+      if (group.sphere || other.sphere) return false;
+      return std::ranges::all_of(group.faces, [&](const GroupFace& face) {
+        return on_axis(group.axis, other.axis, face.extent, near);
+      });
+    });
+    if (same == out.end()) {
+      out.push_back(std::move(group));
+      continue;
+    }
+    // Heights are told from the point of the axis that stays, in its direction.
+    const double sense = glm::dot(group.axis.along, same->axis.along) < 0 ? -1 : 1;
+    const double shift = glm::dot(group.axis.point - same->axis.point, same->axis.along);
+    for (GroupFace& face : group.faces) {
+      const double low = shift + sense * face.extent.low, high = shift + sense * face.extent.high;
+      face.extent.low = std::min(low, high);
+      face.extent.high = std::max(low, high);
+      same->faces.push_back(std::move(face));
+    }
+  }
+  return out;
+}
+
+}  // namespace burin::detail
