@@ -1,4 +1,6 @@
 // Flat colours under the lines, in each format that has areas.
+#include <burin/drawing/color.h>
+
 #include "png_options.h"
 #include "writing.h"
 
@@ -144,8 +146,8 @@ std::set<std::string> dxf_colors_of_greys() {
   for (int level = 0; level < 256; ++level) {
     Drawing drawing = filled();
     drawing.areas.resize(1);
-    const auto channel = static_cast<std::uint8_t>(level);
-    drawing.areas[0].fill = to_text(Rgb{channel, channel, channel});
+    const auto grey = static_cast<std::uint8_t>(level);
+    drawing.areas[0].fill = to_text(Rgb{grey, grey, grey});
     const std::string dxf = written(drawing, "dxf");
     const std::size_t number = dxf.find("\n62\n", dxf.find("\nHATCH\n")) + 4;
     numbers.insert(dxf.substr(number, dxf.find('\n', number) - number));
