@@ -176,10 +176,12 @@ TEST_F(Colours, OfALegendHaveTheNamesOfThePartsList) {
   }
   EXPECT_EQ(texts["legend"], (std::multiset<std::string>{"post", "post", "post (2)"}));
   EXPECT_TRUE(texts["parts_list"].contains("post (2)"));
-  const std::string draw = "draw @/post.csg -o @/a.json --style flat ";
-  for (const char* option : {"--highlight post?(2)=black", "--look post?(2)=cel", "--part post"}) {
-    EXPECT_EQ(run(draw + option), 0) << err_;
-  }
+  folder_.write("a.burin.json", R"({"burin": "illustration", "parts": [{"file": "post.csg"}],
+      "looks": [{"select": "post (2)", "drawn": false
+}]
+})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --style flat"), 0) << err_;
+EXPECT_EQ(fills(Json::parse(test::slurp(folder_ / "a.json"))).size(), 2U) << "it selects";
 }
 
 TEST_F(Colours, AreChosenByTheNamesThatAnIllustrationGives) {
@@ -210,7 +212,9 @@ TEST_F(Colours, OfALookAloneLeaveTheStyleOfTheDrawing) {
   const auto tones = fills(drawing);
   EXPECT_GT(tones.at("core").size(), 1U) << "as the others have";
   EXPECT_TRUE(tones.at("core").contains("#ff0000"));
-  for (const Json& layer : drawing.at("layers")) EXPECT_NE(layer.at("name"), "strokes");
+  for (const Json& layer : drawing.at("layers")) {
+    for (const Json& path : layer.at("paths")) EXPECT_NE(path.at("kind"), "stroke");
+  }
 }
 
 }  // namespace
