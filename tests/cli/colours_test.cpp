@@ -176,12 +176,11 @@ TEST_F(Colours, OfALegendHaveTheNamesOfThePartsList) {
   }
   EXPECT_EQ(texts["legend"], (std::multiset<std::string>{"post", "post", "post (2)"}));
   EXPECT_TRUE(texts["parts_list"].contains("post (2)"));
-  folder_.write("a.burin.json", R"({"burin": "illustration", "parts": [{"file": "post.csg"}],
-      "looks": [{"select": "post (2)", "drawn": false
-}]
-})");
+  folder_.write("a.burin.json",
+                R"j({"burin": "illustration", "parts": [{"file": "post.csg"}],
+                     "looks": [{"select": "post (2)", "drawn": false}]})j");
   ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --style flat"), 0) << err_;
-EXPECT_EQ(fills(Json::parse(test::slurp(folder_ / "a.json"))).size(), 2U) << "it selects";
+  EXPECT_EQ(fills(Json::parse(test::slurp(folder_ / "a.json"))).size(), 2U) << "it selects";
 }
 
 TEST_F(Colours, AreChosenByTheNamesThatAnIllustrationGives) {
