@@ -239,9 +239,13 @@ std::string of_switch(const CLI::ConversionError& e) {
   const std::size_t at = what.find(between);
   if (!what.starts_with(start) || at == what.npos)
     return fmt::format("{} (see burin --help)", what);
-  return fmt::format("option {} takes no value, not '{}' (see burin --help)",
-                     what.substr(start.size(), at - start.size()),
-                     what.substr(at + between.size()));
+  const std::string option = fmt::format("option {}", what.substr(start.size(), at - start.size()));
+  const std::vector<RequestOption>& all = all_options();
+  const auto known = std::ranges::find_if(all, [&](const RequestOption& one) {
+    return called(one.option.name, Spelling::Options) == option;
+  });
+  return fmt::format("{} takes no value, not '{}' ({})", option, what.substr(at + between.size()),
+                     known == all.end() ? "see burin --help" : "it is to " + known->option.meaning);
 }
 
 }  // namespace

@@ -16,9 +16,14 @@ namespace py = pybind11;
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// Throws ModuleNotFoundError that says what to install where there is no numpy: the rest of the
+/// module needs none.
+void need_numpy();
+
 /// Takes the numbers of `values` over into an array of the shape, which owns them.
 template <class T>
 py::array own(std::vector<T> values, std::vector<py::ssize_t> shape) {
+  need_numpy();
   auto* kept = new std::vector<T>(std::move(values));  // NOLINT(cppcoreguidelines-owning-memory)
   const py::capsule owner(kept, [](void* p) { delete static_cast<std::vector<T>*>(p); });
   return py::array(py::dtype::of<T>(), std::move(shape), kept->data(), owner);

@@ -42,6 +42,7 @@ class Asked {
 
  private:
   static py::array_t<double> array(std::span<const Vec3> v) {
+    need_numpy();
     py::array_t<double> out({static_cast<py::ssize_t>(v.size()), py::ssize_t{3}});
     std::memcpy(out.mutable_data(), v.data(), v.size_bytes());
     return out;

@@ -49,7 +49,7 @@ bool is_said_opaque(const std::string& style_text) {
 }
 
 Style read_style(const std::string& text, const std::string& file, const Style* whole) {
-  Style style = parse_style(text, file, builtin_style("technical"), whole);
+  Style style = parse_style(text, file, whole ? *whole : builtin_style("technical"), whole);
   find_named_files(style, std::filesystem::path(file).parent_path());
   return style;
 }

@@ -2,6 +2,7 @@
 
 #include <burin/base/ascii.h>
 #include <burin/base/version.h>
+#include <burin/drawing/color.h>
 
 #include "dxf_groups.h"
 
@@ -216,7 +217,8 @@ int nearest_of_all_colors(const Rgb& color) {
     least = off;
     best = number;
   };
-  for (int hue = 0; hue < kHues; ++hue) {
+  // A dark red may be nearer to a dark grey than any grey is.
+  for (int hue = 0; hue < kHues && !is_grey(color); ++hue) {
     std::array<double, 3> pure{};
     for (std::size_t c = 0; c < 3; ++c) {
       // Steps of 15 degrees from the hue of which this is the pure one, both ways.
@@ -233,6 +235,8 @@ int nearest_of_all_colors(const Rgb& color) {
       }
     }
   }
+  look(8, {128, 128, 128});
+  look(9, {192, 192, 192});
   for (std::size_t k = 0; k < kGrays.size(); ++k) {
     look(kFirstGray + static_cast<int>(k), {kGrays[k], kGrays[k], kGrays[k]});
   }

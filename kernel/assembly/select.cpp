@@ -124,6 +124,17 @@ bool may_be_item(const Scene& scene, std::string_view selector) {
   });
 }
 
+/// The parts of items that an illustration calls so.
+std::vector<std::size_t> of_renamed_items(const Scene& scene, std::string_view selector) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const Part& part = scene.parts[i];
+    const std::string& name = (part.whole ? *part.whole : part).item_name;
+    if (!name.empty() && like(selector, name)) found.push_back(i);
+  }
+  return found;
+}
+
 /// The parts of items that are called so, as lists and legends call them.
 std::vector<std::size_t> of_items(const Scene& scene, std::string_view selector) {
   Diagnostics told_with_the_list;
@@ -151,6 +162,7 @@ std::string known_names(const Scene& scene, std::string_view selector) {
       for (std::string& name : names_of(part)) names.push_back(std::move(name));
     }
     for (const Piece& piece : part.pieces) names.push_back(path_of(part) + "/" + piece.name);
+    if (!part.item_name.empty()) names.push_back(part.item_name);
   }
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -195,12 +207,34 @@ std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
     if (test(i, scene.parts[i])) found.push_back(i);
   }
   if (found.empty()) found = with_slashes_in_names(scene, selector);
+  if (found.empty()) found = of_renamed_items(scene, selector);
   if (found.empty() && !selector.starts_with('@')) found = of_items(scene, selector);
   if (found.empty()) {
     throw UsageError(fmt::format("no part is named '{}'; names of parts and assemblies: {}",
                                  selector, known_names(scene, selector)));
   }
   return found;
+}
+
+void name_items(Scene& scene, const ItemNumbers& kept, std::span<const std::string> selectors) {
+  const auto needs_name = [&](const std::string& selector) {
+    const auto means = [&](const auto& item) { return like(selector, item.second.name); };
+    if (std::ranges::none_of(kept, means)) return false;
+    try {
+      select(scene, selector);
+      return false;
+    } catch (const UsageError&) {
+      return true;
+    }
+  };
+  if (std::ranges::none_of(selectors, needs_name)) return;
+  Diagnostics told_with_the_list;
+  RunContext context;
+  for (const Item& item : find_items(scene, kept, told_with_the_list, context)) {
+    const auto known = kept.find(item.number);
+    if (known == kept.end()) continue;
+    for (const std::size_t part : item.parts) scene.parts[part].item_name = known->second.name;
+  }
 }
 
 std::size_t levels_above(const Part& part, std::string_view selector) {

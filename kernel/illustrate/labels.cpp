@@ -3,6 +3,7 @@
 #include <burin/area/partition.h>
 #include <burin/feature/kind_borders.h>
 #include <burin/illustrate/view_probe.h>
+#include <burin/visibility/sight_ray.h>
 
 #include "fill/fills.h"
 #include "regions.h"
@@ -91,8 +92,7 @@ class Looker {
   /// What a part shows first of itself counts, not its other walls. What is solid ends the view.
   std::optional<ViewHit> pane(const Occluder& all, Vec2 at, std::size_t behind) const {
     constexpr int kMostWalls = 64;
-    ViewRay ray = camera_.ray(at);
-    if (!camera_.perspective()) ray.origin -= 2 * all.diagonal() * ray.direction;
+    const ViewRay ray = sight_ray(camera_, at, all);
     std::vector<std::int32_t> met;
     double near = 0;
     for (int i = 0; i < kMostWalls; ++i) {

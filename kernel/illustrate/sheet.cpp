@@ -57,6 +57,16 @@ Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style
   return drawing;
 }
 
+/// Styles of parts change as the whole does: else they would seem to ask for something else.
+Drawing draw_in_grid(const Scene& scene, const PlacedView& view, const Style& style,
+                     IllustrateOptions options, RunContext& context, Session& session) {
+  const Vec3 to_viewer = view.camera.direction();
+  for (PartStyle& one : options.part_styles) {
+    if (one.style) one.style = style_in_grid(*one.style, to_viewer);
+  }
+  return draw_view(scene, view, style_in_grid(style, to_viewer), options, context, session);
+}
+
 SheetView described(const PlacedView& view, const Drawing& drawing) {
   Box2 box = view.box;
   if (view.within) {
@@ -79,8 +89,8 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
   std::optional<Drawing> all;
   std::vector<SheetView> views;
   for (const PlacedView& view : sheet.views) {
-    const Style own_style = sheet.method ? style_in_grid(style, view.camera.direction()) : style;
-    Drawing one = draw_view(scene, view, own_style, options, context, kept);
+    Drawing one = sheet.method ? draw_in_grid(scene, view, style, options, context, kept)
+                               : draw_view(scene, view, style, options, context, kept);
     views.push_back(described(view, one));
     if (all) {
       append_view(*all, std::move(one));

@@ -3,6 +3,7 @@
 #include <burin/mesh/chord_error.h>
 #include <burin/surface/nearest_on.h>
 #include <burin/verify/referee.h>
+#include <burin/visibility/sight_ray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,8 +137,7 @@ Referee::Sight Referee::describe(const Hit& hit, Vec2 paper) const {
 }
 
 std::optional<Referee::Sight> Referee::look(Vec2 paper) const {
-  ViewRay ray = camera_.ray(paper);
-  if (!camera_.perspective()) ray.origin -= 2 * occluder_->diagonal() * ray.direction;
+  const ViewRay ray = sight_ray(camera_, paper, *occluder_);
   const auto hit =
       occluder_->first_hit(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
   if (!hit) return std::nullopt;
@@ -182,8 +182,7 @@ double Referee::excess(const Point& p, const Sight& s) const {
 template <class Visit>
 void Referee::each_sheet(Vec2 paper, const Visit& visit) const {
   constexpr int kMostSheets = 16;
-  ViewRay ray = camera_.ray(paper);
-  if (!camera_.perspective()) ray.origin -= 2 * occluder_->diagonal() * ray.direction;
+  const ViewRay ray = sight_ray(camera_, paper, *occluder_);
   double from = 0;
   for (int i = 0; i < kMostSheets; ++i) {
     const auto hit = occluder_->first_hit(ray.origin, ray.direction, from,

@@ -149,10 +149,71 @@ TEST_F(Colours, HighlightsHaveTonesOnWhichLinesAreSeen) {
   EXPECT_EQ(err_, "");
   drawn("--style shaded --highlight core");
   EXPECT_EQ(err_, "") << "pale shade on the others";
+  drawn("--style shaded --highlight core --views front,top");
+  EXPECT_EQ(err_, "") << "seen from above nothing has a shadow on the ground";
   drawn("--style flat --highlight core=black");
   EXPECT_EQ(err_,
             "burin: warning: lines can hardly be seen on 1 part, such as 'core': #000000 on "
             "#000000 has a contrast of 1.0; choose another line.color or fill.color\n");
+}
+
+/// Two posts of one shape in two colours, and a longer one.
+constexpr const char* kPosts =
+    "color([1, 0, 0, 1]) { cube(size = [10, 10, 10]); }\n"
+    "multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n"
+    "  color([0, 0, 1, 1]) { cube(size = [10, 10, 10]); }\n}\n"
+    "multmatrix([[1, 0, 0, 40], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n"
+    "  color([0, 1, 0, 1]) { cube(size = [10, 20, 10]); }\n}\n";
+
+TEST_F(Colours, OfALegendHaveTheNamesOfThePartsList) {
+  folder_.write("post.csg", kPosts);
+  ASSERT_EQ(run("draw @/post.csg -o @/a.json --style flat --legend --parts-list sheet"), 0) << err_;
+  std::map<std::string, std::multiset<std::string>> texts;
+  const Json drawing = Json::parse(test::slurp(folder_ / "a.json"));
+  for (const Json& layer : drawing.at("layers")) {
+    if (!layer.contains("texts")) continue;
+    for (const Json& text : layer.at("texts")) texts[layer.at("name")].insert(text.at("text"));
+  }
+  EXPECT_EQ(texts["legend"], (std::multiset<std::string>{"post", "post", "post (2)"}));
+  EXPECT_TRUE(texts["parts_list"].contains("post (2)"));
+  folder_.write("a.burin.json",
+                R"j({"burin": "illustration", "parts": [{"file": "post.csg"}],
+                     "looks": [{"select": "post (2)", "drawn": false}]})j");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --style flat"), 0) << err_;
+  EXPECT_EQ(fills(Json::parse(test::slurp(folder_ / "a.json"))).size(), 2U) << "it selects";
+}
+
+TEST_F(Colours, AreChosenByTheNamesThatAnIllustrationGives) {
+  folder_.write("post.csg", kPosts);
+  for (const char* items :
+       {R"({"1": "pillar", "2": "beam"})",
+        R"({"1": {"name": "pillar"}, "2": {"name": "beam", "select": "post #3"}})"}) {
+    folder_.write("a.burin.json", std::string(R"({"burin": "illustration", "style": "flat",
+        "parts": [{"file": "post.csg"}], "items": )") +
+                                      items + "}");
+    const auto seen = [&](const std::string& options) {
+      EXPECT_EQ(run("draw @/a.burin.json -o @/a.json " + options), 0) << err_;
+      return fills(Json::parse(test::slurp(folder_ / "a.json")));
+    };
+    const auto hidden = seen("--hide beam");
+    EXPECT_TRUE(hidden.contains("post") && hidden.contains("post #2")) << items;
+    EXPECT_FALSE(hidden.contains("post #3")) << items;
+    EXPECT_EQ(seen("--highlight be*=#123456").at("post #3").count("#123456"), 1U) << items;
+    EXPECT_EQ(seen("--part beam").size(), 1U) << items;
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json --hide beem"), 2);
+    EXPECT_EQ(run("draw @/post.csg -o @/a.json --hide beam"), 2) << "no illustration";
+  }
+}
+
+TEST_F(Colours, OfALookAloneLeaveTheStyleOfTheDrawing) {
+  folder_.write("red.json", R"({"fill.color": "#ff0000"})");
+  const Json drawing = drawn("--style cel --hide glass --look core=@/red.json");
+  const auto tones = fills(drawing);
+  EXPECT_GT(tones.at("core").size(), 1U) << "as the others have";
+  EXPECT_TRUE(tones.at("core").contains("#ff0000"));
+  for (const Json& layer : drawing.at("layers")) {
+    for (const Json& path : layer.at("paths")) EXPECT_NE(path.at("kind"), "stroke");
+  }
 }
 
 }  // namespace

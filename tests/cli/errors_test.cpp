@@ -36,6 +36,7 @@ TEST_F(CliErrors, UsageNamesTheNearest) {
   expect_failure(draw + "--view perspective", 2, "asked for by --perspective");
   expect_failure(draw + "--views front,isometric", 2, "the nearest is 'iso'");
   expect_failure(draw + "--legend=top-left", 2, "--legend takes no value, not 'top-left'");
+  EXPECT_NE(err_.find("where: style key callout.legend"), std::string::npos) << err_;
   expect_failure(draw + "--look box=line.color=red", 2, "{\"line.color\": \"red\"}");
 }
 

@@ -1,9 +1,11 @@
 """Scenes: from files, from BREP text, from arrays and from functions."""
 
 import errno
+import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import burin
 import numpy as np
@@ -302,6 +304,16 @@ class Mesh(unittest.TestCase):
             burin.Scene().add_mesh(np.zeros((0, 3)), np.zeros((0, 3), int))
         with self.assertRaises(burin.GeometryError):
             burin.Scene().bounds()
+
+
+class WithoutNumpy(unittest.TestCase):
+    def test_arrays_say_what_to_install(self):
+        scene = burin.Scene()
+        with mock.patch.dict(sys.modules, {"numpy": None}):
+            with self.assertRaisesRegex(ModuleNotFoundError, "pip install numpy"):
+                scene.add_mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            with self.assertRaisesRegex(ModuleNotFoundError, "pip install numpy"):
+                burin.Scene.read(SAMPLES / "spindle.stl").bounds()
 
 
 class Functions(unittest.TestCase):

@@ -91,11 +91,14 @@ void report_empty_legend(const Illustration& illustration, Scene& scene) {
   scene.diagnostics.add(Severity::Warning, "legend.empty", 1, why);
 }
 
-void report_alike(const Illustration& illustration, std::size_t rows, Scene& scene) {
-  const bool own = illustration.style.fill.color == "part" && illustration.style.fill.ink.empty();
+/// Advises what helps: in the colours of the input the parts may be alike, too.
+void report_alike(const Annotations& annotations, Scene& scene) {
+  const bool alike_in_input =
+      are_alike(legend_rows(scene, builtin_style("flat"), {}, annotations.items));
   scene.diagnostics.add(
-      Severity::Warning, "legend.alike", static_cast<std::int64_t>(rows),
-      own ? "all parts have one colour in the input, so that the legend does not tell them apart: "
+      Severity::Warning, "legend.alike", static_cast<std::int64_t>(annotations.legend.size()),
+      alike_in_input
+          ? "all parts have one colour in the input, so that the legend does not tell them apart: "
             "give some another by `highlight`"
           : "all parts have one colour, so that the legend does not tell them apart: choose a "
             "style in which parts have their own, such as flat");
@@ -173,7 +176,7 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
     if (annotations.legend.empty()) {
       report_empty_legend(illustration, scene);
     } else if (are_alike(annotations.legend) && !leaves_parts_out(illustration)) {
-      report_alike(illustration, annotations.legend.size(), scene);
+      report_alike(annotations, scene);
     }
   }
   illustration.illustrate.annotations = std::move(annotations);

@@ -87,6 +87,7 @@ void split_parts(Scene& scene, const Illustration& illustration, std::vector<Par
   styles.resize(std::max(styles.size(), count));
   std::vector<PartStyle> bodies;
   Strings selectors = selectors_of(illustration);
+  name_items(scene, illustration.numbers, selectors);
   // A part alone comes apart into its bodies, or nothing would.
   const bool apart = illustration.explode.wanted && count == 1;
   if (apart) selectors.emplace_back("*/*");

@@ -1,4 +1,5 @@
 #include <burin/area/largest_disc.h>
+#include <burin/assembly/items.h>
 #include <burin/base/box.h>
 #include <burin/illustrate/legend.h>
 
@@ -135,25 +136,24 @@ bool is_wide(const Area& area, double pen) {
 }
 
 /// The name of an item's row for a part: its own where listed parts of the item have different
-/// colours, so that each row tells which it is of.
-std::string row_name(const Scene& scene, const Shades& shades, const DrawingItem& item,
-                     std::size_t part) {
+/// colours, so that each row tells which it is of; without the number that readers add, as lists
+/// have it.
+std::string_view row_name(const Scene& scene, const Shades& shades, const DrawingItem& item,
+                          std::size_t part) {
   const auto differs = [&](std::int32_t other) {
     const auto i = static_cast<std::size_t>(other);
     return shades.lists(i) && shades.colors(i) != shades.colors(part);
   };
-  return std::ranges::any_of(item.parts, differs) ? scene.parts[part].name : item.name;
+  return std::ranges::any_of(item.parts, differs) ? name_as_read(scene.parts[part].name)
+                                                  : item.name;
 }
 
 /// Whether any area, or its hatching, is one that a row stands for.
-bool is_seen(const LegendRow& row, const Scene& scene, std::span<const DrawingItem> items,
-             const Shades& shades, const Drawing& drawing, double pen) {
+bool is_seen(const LegendRow& row, std::span<const DrawingItem> items, const Shades& shades,
+             const Drawing& drawing, double pen) {
   std::set<std::int32_t> parts;
   for (const DrawingItem& item : items) {
-    const bool own = std::ranges::any_of(item.parts, [&](std::int32_t part) {
-      return scene.parts[static_cast<std::size_t>(part)].name == row.name;
-    });
-    if (item.name != row.name && !own) continue;
+    if (item.number != row.item) continue;
     for (const std::int32_t part : item.parts) {
       if (shades.lists(static_cast<std::size_t>(part))) parts.insert(part);
     }
@@ -202,7 +202,8 @@ std::vector<LegendRow> legend_rows(const Scene& scene, const Style& style,
       if (!shades.lists(i)) continue;
       for (Area& square : shades.squares(i)) {
         if (!fills.insert(square.fill).second) continue;
-        rows.push_back({item.number, row_name(scene, shades, item, i), std::move(square)});
+        rows.push_back(
+            {item.number, std::string(row_name(scene, shades, item, i)), std::move(square)});
       }
     }
   }
@@ -216,7 +217,7 @@ Annotations with_seen_rows(const Scene& scene, const Style& style, const Illustr
   if (out.legend.empty()) return out;
   const Shades shades(scene, style, options);
   for (LegendRow& row : out.legend) {
-    row.seen = is_seen(row, scene, out.items, shades, drawing, style.line.crease);
+    row.seen = is_seen(row, out.items, shades, drawing, style.line.crease);
   }
   return out;
 }

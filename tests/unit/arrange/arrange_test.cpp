@@ -322,6 +322,11 @@ TEST(Arrange, ALegendThatTellsNothingApartIsTold) {
   };
   EXPECT_EQ(told("flat"), 0);
   EXPECT_EQ(told("duotone"), 1);
+  // Where the input has one colour for all, no style tells them apart.
+  Scene grey = full_case();
+  for (Part& part : grey.parts) part.color = "#808080";
+  number_parts(grey, illustration, context);
+  EXPECT_NE(grey.diagnostics.entries().back().message.find("by `highlight`"), std::string::npos);
   // All the others look otherwise, and have no row.
   PartStyle pale;
   pale.style = builtin_style("flat");

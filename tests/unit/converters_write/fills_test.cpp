@@ -1,4 +1,6 @@
 // Flat colours under the lines, in each format that has areas.
+#include <burin/drawing/color.h>
+
 #include "png_options.h"
 #include "writing.h"
 
@@ -6,6 +8,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -134,6 +138,26 @@ TEST(FilledAreas, OfDxfAreSolidHatchesOnALayerOfTheirOwn) {
   EXPECT_EQ(hatches, 2u);
   EXPECT_NE(dxf.find("\nareas\n"), std::string::npos);
   EXPECT_NE(dxf.find("\nSOLID\n"), std::string::npos);
+}
+
+/// The colour numbers of a grey area, from black to white.
+std::set<std::string> dxf_colors_of_greys() {
+  std::set<std::string> numbers;
+  for (int level = 0; level < 256; ++level) {
+    Drawing drawing = filled();
+    drawing.areas.resize(1);
+    const auto grey = static_cast<std::uint8_t>(level);
+    drawing.areas[0].fill = to_text(Rgb{grey, grey, grey});
+    const std::string dxf = written(drawing, "dxf");
+    const std::size_t number = dxf.find("\n62\n", dxf.find("\nHATCH\n")) + 4;
+    numbers.insert(dxf.substr(number, dxf.find('\n', number) - number));
+  }
+  return numbers;
+}
+
+TEST(FilledAreas, OfDxfThatAreGreyHaveNoHue) {
+  EXPECT_EQ(dxf_colors_of_greys(),
+            (std::set<std::string>{"8", "9", "250", "251", "252", "253", "254", "255"}));
 }
 
 TEST(FilledAreas, OfSvgTakeTheColoursThatAPageGivesThem) {

@@ -86,7 +86,8 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
 /// Draws how a scene is put together, by the steps of its plan's exploded view read backwards, or
 /// by those that are found. Throws as `select_parts`, `cut_parts`, `make_book`.
 Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunContext& context);
-/// The style of a name or file, with no changes; of some parts of a drawing in the style `whole`.
+/// The style of a name or file, with no changes; of some parts of a drawing in the style `whole`,
+/// from which a file without "base" starts.
 /// Throws UsageError, InputError.
 Style load_style(const std::string& name, const Style* whole = nullptr);
 

@@ -1,9 +1,11 @@
 #pragma once
 /// Parts of an assembly by name.
 
+#include <burin/assembly/items.h>
 #include <burin/surface/scene.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +31,14 @@ std::vector<std::string> selectors_of(const Scene& scene);
 /// drawing files count, @file=lid.stl those of a file.
 ///
 /// Where no part or assembly has the name, that of an item is meant, as lists and legends have it
-/// (`find_items`): "M6 screw", "arm (2)".
+/// (`find_items`, first those that `name_items` gave): "M6 screw", "arm (2)".
 ///
 /// Throws UsageError that names the nearest names where it selects nothing.
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector);
+
+/// Gives parts the names that are kept for their items (`Part::item_name`) where one of the
+/// selectors means such a name and selects nothing without it. Throws UsageError as `find_items`.
+void name_items(Scene& scene, const ItemNumbers& kept, std::span<const std::string> selectors);
 
 /// How closely a selector names a part that it selects: 0 for the part itself, by its name, item or
 /// attribute, 1 for the assembly that it is in, 2 for the one above. Where several names of its

@@ -112,6 +112,8 @@ struct Part {
   /// Which of the shapes this is that the input calls the same, from 0, where that was asked: each
   /// has a colour of its own.
   std::size_t shape_of_name = 0;
+  /// What an illustration calls the item that this is of (`ItemNumbers`); empty: as the input does.
+  std::string item_name = {};
   /// What this is one body of, where a part was split into its bodies: shared by all of them, so
   /// that lists count one part. Absent: this is a part by itself.
   std::shared_ptr<const Part> whole = {};

@@ -33,7 +33,8 @@ Drawing illustrate(Scene scene, Illustration illustration, RunContext& context);
 /// there. Parts of which a selector names a body are split first (burin/assembly/pieces.h).
 /// Throws UsageError where a selector names nothing, or nothing is left to draw.
 void select_parts(Scene& scene, Illustration& illustration);
-/// Splits the parts of which a selector of the illustration names a body. `styles` are made as many
+/// Splits the parts of which a selector of the illustration names a body, and names items that a
+/// selector means by a name of the illustration (`name_items`). `styles` are made as many
 /// as there are parts then; bodies have that of their part.
 void split_parts(Scene& scene, const Illustration& illustration, std::vector<PartStyle>& styles);
 /// Finds and numbers the items of the scene where the illustration has a use for them, and fills
