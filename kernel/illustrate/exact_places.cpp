@@ -17,6 +17,9 @@ constexpr int kMostBehind = 4;
 constexpr double kGrazing = 0.05;
 // Of the diagonal: places so near each other are one.
 constexpr double kSamePlace = 1e-9;
+// Of what triangles are off: depths so near each other are one. More would widen the line in which
+// a ball touches its pipe. Slanted planes are farther off their surface, by the tangent's square.
+constexpr double kFlush = 2e-3;
 
 }  // namespace
 
@@ -28,7 +31,8 @@ ExactAt exact_places(const Surface& surface) {
   };
 }
 
-ExactDepths::ExactDepths(const Occluders& occluders) : proxies_(occluders.solid_proxies()) {
+ExactDepths::ExactDepths(const Occluders& occluders)
+    : proxies_(occluders.solid_proxies()), ranks_(occluders.ranks()) {
   for (const auto& surface : occluders.surfaces()) {
     places_.push_back(surface ? exact_places(*surface) : ExactAt{});
   }
@@ -39,10 +43,26 @@ double ExactDepths::off(std::int32_t part) const {
   return proxies_[static_cast<std::size_t>(part)]->tolerance;
 }
 
-double ExactDepths::reach(FaceRef where, Vec3 direction) const {
+double ExactDepths::cosine(FaceRef where, Vec3 direction) const {
   const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(where.part)];
-  const double cosine = std::abs(glm::dot(proxy.mesh.normal(where.face), direction));
-  return (off(where.part) + most_off_) / std::max(cosine, kGrazing);
+  return std::max(std::abs(glm::dot(proxy.mesh.normal(where.face), direction)), kGrazing);
+}
+
+double ExactDepths::reach(FaceRef where, Vec3 direction) const {
+  return (off(where.part) + most_off_) / cosine(where, direction);
+}
+
+double ExactDepths::flush(FaceRef where, Vec3 direction) const {
+  const double slant = cosine(where, direction);
+  return kFlush * reach(where, direction) / (slant * slant);
+}
+
+bool ExactDepths::precedes(std::int32_t part, std::int32_t other) const {
+  const auto rank = [&](std::int32_t of) {
+    const auto i = static_cast<std::size_t>(of);
+    return i < ranks_.size() ? ranks_[i] : 0;
+  };
+  return rank(part) != rank(other) ? rank(part) > rank(other) : part < other;
 }
 
 double ExactDepths::depth(FaceRef where, Vec3 bary, Vec3 position, Vec3 origin,
@@ -69,6 +89,7 @@ ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths
     const Vec3 origin = first->position, view = -camera.to_viewer(origin);
     const FaceRef where{first->part, first->point.face};
     const double reach = depths.reach(where, view), step = kSamePlace * solid.diagonal();
+    const double flush = step + depths.flush(where, view);
     ViewHit best = *first;
     std::optional<double> least;
     double from = 0;
@@ -80,7 +101,8 @@ ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths
       if (!least) least = depths.depth(where, first->point.bary, origin, origin, view);
       const Vec3 position = origin + hit->distance * view;
       const double there = depths.depth(hit->where, hit->bary, position, origin, view);
-      if (there >= *least - step) continue;
+      const bool on_each_other = std::abs(there - *least) < flush;
+      if (on_each_other ? !depths.precedes(hit->where.part, best.part) : there > *least) continue;
       best.part = hit->where.part;
       best.point = {hit->where.face, hit->bary};
       best.position = position;

@@ -19,7 +19,8 @@ namespace burin::detail {
 ExactAt exact_places(const Surface& surface);
 
 /// Where rays meet the surfaces of solid parts themselves. Triangles of two exact surfaces may lie
-/// before each other in turn where these touch, as a ball and the pipe that it closes.
+/// before each other in turn where these touch, as a ball and the pipe that it closes, or lie on
+/// each other.
 class ExactDepths {
  public:
   /// The parts must outlive this.
@@ -31,21 +32,28 @@ class ExactDepths {
   const ExactAt& places(std::int32_t part) const { return places_[static_cast<std::size_t>(part)]; }
   /// Model mm along a ray from a place of a part within which they may.
   double reach(FaceRef where, Vec3 direction) const;
+  /// Model mm along a ray by which depths are not told apart: surfaces that lie on each other, as
+  /// two cylinders of one radius and axis, have the same but for what tangent planes are off.
+  double flush(FaceRef where, Vec3 direction) const;
+  /// Whether the first of two parts is seen where they lie on each other.
+  bool precedes(std::int32_t part, std::int32_t other) const;
   /// Model mm from an origin along a ray to where it meets the surface of a place that its triangle
   /// was met at, by the tangent plane there.
   double depth(FaceRef where, Vec3 bary, Vec3 position, Vec3 origin, Vec3 direction) const;
 
  private:
   double off(std::int32_t part) const;
+  double cosine(FaceRef where, Vec3 direction) const;
 
   std::span<const ProxyMesh* const> proxies_;
+  const std::vector<double>& ranks_;
   std::vector<ExactAt> places_;
   double most_off_ = 0;
 };
 
 /// What the viewer sees of the solid parts: where triangles of several lie as near, the part whose
-/// surface itself is nearest. All must outlive the answer. Cost: a ray, and where `depths` are
-/// needed a short one.
+/// surface itself is nearest, of those that lie on each other that of the highest rank. All must
+/// outlive the answer. Cost: a ray, and where `depths` are needed a short one.
 ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths,
                            const Camera& camera);
 

@@ -285,5 +285,40 @@ TEST(Regions, OfSurfacesThatTouchGoByTheSurfacesThemselves) {
   EXPECT_GT(looked, 5000u);
 }
 
+/// Two pipes of one radius and axis lie on each other along half their length, whatever facets they
+/// have: there the first is seen alone.
+TEST(Regions, OfRoundSurfacesThatLieOnEachOtherAreThoseOfOnePart) {
+  constexpr double kRadius = 5;
+  Shown s;
+  constexpr double kSlit = 5.9;  // so that facets of the first are others
+  const auto pipe = [&](double height, double angle) {
+    return std::make_shared<ParametricForm>(
+        std::vector<std::shared_ptr<const Chart>>{test::cylinder_chart(kRadius, height, angle)});
+  };
+  s.add(pipe(12, kSlit));
+  s.add(pipe(25, 2 * kPi));
+  s.fill(2);
+  s.style.shadow.cast = true;
+  std::size_t looked = 0;
+  for (const Vec3 direction : {Vec3(1, 0.3, -0.4), Vec3(1, -0.7, 0.6), Vec3(0, -1, -0.1)}) {
+    s.direction = direction;
+    const Camera camera = s.camera();
+    const Drawing d = s.draw();
+    const AreasAt areas(d.areas, 0.03);
+    for (double angle = 0.05; angle < kSlit - 0.05; angle += 0.01) {
+      const Vec3 normal(std::cos(angle), std::sin(angle), 0);
+      if (glm::dot(normal, camera.direction()) < 0.1) continue;
+      for (double up = 1; up < 24; up += 0.7) {
+        const Vec2 at = camera.to_paper(kRadius * normal + Vec3(0, 0, up));
+        const auto found = areas.at(at);
+        if (std::abs(up - 12) < 0.5 || found.empty() || areas.beside_border(at)) continue;
+        ++looked;
+        ASSERT_EQ(d.areas[found.back()].part, up < 12 ? 0 : 1) << up << " up, at " << angle;
+      }
+    }
+  }
+  EXPECT_GT(looked, 5000u);
+}
+
 }  // namespace
 }  // namespace burin
