@@ -43,7 +43,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
+  EXPECT_EQ(keys.size(), 13u + 10u + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
                              3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ + 6u /*callout*/ +
                              4u /*svg*/ + 1u /*json*/);
 }
