@@ -171,8 +171,8 @@ std::vector<RequestRow<Draft>> look_option_rows() {
                    .takes = WordList{{"none", "auto"}}},
         .group = kLook,
         .label = "none|auto",
-        .also = {"center lines", "centreline", "centerline", "centre marks", "center marks",
-                 "axes", "axis", "axis lines"}},
+        .also = {"center lines", "centreline", "centerline", "centre marks", "center marks", "axes",
+                 "axis", "axis lines"}},
        [](Draft& d, const Asked& a) {
          d.plan.style.feature.centre_lines = std::get<std::uint64_t>(a.value) == 1;
        }},

@@ -13,8 +13,8 @@ void each_feature_line(const Drawing& drawing, const F& each) {
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       if (!path.visible || path.kind == LineClass::Stroke || path.kind == LineClass::Pattern ||
-          path.kind == LineClass::Trail ||
-          path.kind == LineClass::Centre || path.points.size() < 2) {
+          path.kind == LineClass::Trail || path.kind == LineClass::Centre ||
+          path.points.size() < 2) {
         continue;
       }
       Polyline line = path.points;
