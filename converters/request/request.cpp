@@ -87,6 +87,11 @@ void light_by(const DrawRequest& request, Style& style) {
   });
 }
 
+/// What is asked for of the whole drawing holds for parts in a style of their own, too.
+void hold_centre_lines(const DrawRequest& request, const DrawPlan& plan, Style& style) {
+  if (request.has("centre_lines")) style.feature.centre_lines = plan.style.feature.centre_lines;
+}
+
 /// Whether the shadow on the ground is seen in any view.
 bool sees_ground(const SheetOfViews& sheet, const Style& style) {
   return std::ranges::any_of(sheet.views, [&](const PlacedView& view) {
@@ -178,6 +183,7 @@ Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& pla
   if (own->is_opaque) leave_glass(look);
   read_images(*look.style, plan.illustrate.images);
   light_by(request, *look.style);
+  hold_centre_lines(request, plan, *look.style);
   return look;
 }
 
@@ -211,7 +217,9 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   for (const LookRequest& look : draft.looks) plan.looks.push_back(look_of(look, request, plan));
   light_by(request, plan.style);
   for (PartStyle& part : plan.illustrate.part_styles) {
-    if (part.style) light_by(request, *part.style);
+    if (!part.style) continue;
+    light_by(request, *part.style);
+    hold_centre_lines(request, plan, *part.style);
   }
   plan.read = make_read_options(request.options, spelling);
   plan.asked_keys = asked_keys(request, draft.named, plan);

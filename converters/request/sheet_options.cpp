@@ -68,7 +68,10 @@ NamedView view_asked(const std::string& name, const Asked& asked) {
   try {
     return named_view(name);
   } catch (const UsageError& e) {
-    throw UsageError(e.what() + hint(name, known_views(spelling)));
+    const bool several = name.find(',') != name.npos &&
+                         std::ranges::any_of(name, [](unsigned char c) { return std::isalpha(c); });
+    throw UsageError(e.what() + hint(name, known_views(spelling)) +
+                     (several ? fmt::format("; {} draws several", called("views", spelling)) : ""));
   }
 }
 

@@ -71,7 +71,10 @@ void AxisSight::keep_seen(TurnedGroup& group) const {
   const bool along = !group.sphere && seen_along(group);
   std::vector<GroupFace> seen;
   for (const GroupFace& face : group.faces) {
-    if (along ? rim_seen(group, face) : wall_seen(face)) seen.push_back(face);
+    const bool wall = !along && wall_seen(face);
+    // Of a deep hole a sliver of its wall is seen, and all of its rim.
+    const bool rim = !wall && (along || face.turned.hollow) && rim_seen(group, face);
+    if (wall || rim || (group.cut_along && on_cut(group, face))) seen.push_back(face);
   }
   group.faces = std::move(seen);
 }
@@ -101,6 +104,15 @@ bool AxisSight::wall_seen(const GroupFace& face) const {
     const Vec3 normal = proxy.mesh.normal(triangles[i]);
     if (glm::dot(normal, camera_.to_viewer(at)) <= 0) return std::nullopt;
     return at + lift(at) * normal;
+  });
+}
+
+bool AxisSight::on_cut(const TurnedGroup& group, const GroupFace& face) const {
+  constexpr std::size_t kPlaces = 8;
+  return enough_free(kPlaces, [&](std::size_t i) -> std::optional<Vec3> {
+    const double share = (static_cast<double>(i) + 0.5) / kPlaces;
+    const Vec3 at = group.at(face.extent.low + share * (face.extent.high - face.extent.low));
+    return at + lift(at) * camera_.to_viewer(at);
   });
 }
 

@@ -31,7 +31,9 @@ class AxisSight {
   bool free(Vec3 from) const;
   double lift(Vec3 at) const;
   bool wall_seen(const GroupFace& face) const;
-  /// Of a face that is seen along its axis: its end that is nearer to the viewer.
+  /// Whether the axis lies on the face of a section, where it passes a turned face.
+  bool on_cut(const TurnedGroup& group, const GroupFace& face) const;
+  /// The end of a face that is nearer to the viewer.
   bool rim_seen(const TurnedGroup& group, const GroupFace& face) const;
   template <class Place>
   bool enough_free(std::size_t count, const Place& place) const;

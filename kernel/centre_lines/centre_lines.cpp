@@ -111,18 +111,21 @@ class Maker {
 
   // Lines along axes in space.
 
-  void draw_axis(const TurnedGroup& group) {
-    const Vec3 middle = group.middle();
-    const double sine = glm::length(glm::cross(camera_.to_viewer(middle), group.axis.along));
-    const double steep = std::max(sine, kSteep);
+  /// How far a line goes on from the end of a face, model mm: over its outline, which is an ellipse
+  /// about the axis where it is seen at a slant.
+  double beyond(const TurnedGroup& group, double height, double radius) const {
+    const Vec3 end = group.at(height);
+    const double sine = glm::length(glm::cross(camera_.to_viewer(end), group.axis.along));
     const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+    return (over(group) / camera_.scale_at(end) + cosine * radius) / std::max(sine, kSteep);
+  }
+
+  void draw_axis(const TurnedGroup& group) {
     // A part has one line along an axis; that of another joins it where both meet.
     std::map<std::int32_t, Stretch> of_parts;
     for (const GroupFace& face : group.faces) {
-      // Seen at a slant, the end of a face is an ellipse about the axis.
-      const double more =
-          (over(group) / camera_.scale_at(middle) + cosine * face.extent.radius) / steep;
-      const Stretch one{face.extent.low - more, face.extent.high + more};
+      const auto& [turn, low, high, radius] = face.extent;
+      const Stretch one{low - beyond(group, low, radius), high + beyond(group, high, radius)};
       Stretch& all = of_parts.try_emplace(face.part, one).first->second;
       all = {std::min(all.low, one.low), std::max(all.high, one.high)};
     }

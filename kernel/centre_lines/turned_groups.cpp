@@ -62,16 +62,19 @@ std::vector<CutPlane> cut_planes(const ProxyMesh& proxy) {
   return out;
 }
 
-bool far_enough_round(const TurnedGroup& group, const std::vector<CutPlane>& cuts, double near) {
+/// How many sections run along the axis of a group.
+int cuts_along(const TurnedGroup& group, const std::vector<CutPlane>& cuts, double near) {
+  return static_cast<int>(std::ranges::count_if(cuts, [&](const CutPlane& cut) {
+    const bool through = std::abs(glm::dot(cut.normal, group.axis.point - cut.point)) < near;
+    return through && (group.sphere || std::abs(glm::dot(cut.normal, group.axis.along)) < kAlong);
+  }));
+}
+
+bool far_enough_round(const TurnedGroup& group, int cuts) {
   std::bitset<360> turn;
   for (const GroupFace& face : group.faces) turn |= face.extent.turn;
-  double least = kLeastTurn;
-  for (const CutPlane& cut : cuts) {
-    const bool along = std::abs(glm::dot(cut.normal, group.axis.along)) < kAlong &&
-                       std::abs(glm::dot(cut.normal, group.axis.point - cut.point)) < near;
-    if (along) least *= 0.5;
-  }
-  return static_cast<double>(turn.count()) > least;
+  // Each of them leaves half.
+  return static_cast<double>(turn.count()) > std::ldexp(kLeastTurn, -cuts);
 }
 
 /// Collects faces into groups.
@@ -89,7 +92,7 @@ class Grouping {
       group.faces.push_back(std::move(one));
       return;
     }
-    groups_.push_back({one.turned.axis, false, {}});
+    groups_.push_back({one.turned.axis, false, false, {}});
     groups_.back().faces.push_back(std::move(one));
   }
 
@@ -102,14 +105,16 @@ class Grouping {
       taken = true;
     }
     if (taken) return;
-    groups_.push_back({face.axis, true, {}});
+    groups_.push_back({face.axis, true, false, {}});
     groups_.back().faces.push_back({part_, face, extent_about(face.axis, proxy_, face.triangles)});
   }
 
   std::vector<TurnedGroup> take() {
     const std::vector<CutPlane> cuts = cut_planes(proxy_);
-    std::erase_if(groups_, [&](const TurnedGroup& group) {
-      return group.sphere ? !is_ball(group) : !far_enough_round(group, cuts, near_);
+    std::erase_if(groups_, [&](TurnedGroup& group) {
+      const int along = cuts_along(group, cuts, near_);
+      group.cut_along = along > 0;
+      return group.sphere ? !is_ball(group, along) : !far_enough_round(group, along);
     });
     for (TurnedGroup& group : groups_) {
       std::ranges::sort(group.faces, {}, [](const GroupFace& f) { return f.turned.face; });
@@ -118,13 +123,13 @@ class Grouping {
   }
 
  private:
-  bool is_ball(const TurnedGroup& group) const {
+  bool is_ball(const TurnedGroup& group, int cuts) const {
     double area = 0;
     for (const GroupFace& face : group.faces) area += area_of(proxy_, face.turned.triangles);
     const double radius = glm::distance(
         group.axis.point,
         proxy_.mesh.positions[proxy_.mesh.triangles[group.faces[0].turned.triangles[0]][0]]);
-    return area > kLeastBall * 4 * std::numbers::pi * radius * radius;
+    return area > std::ldexp(kLeastBall, -cuts) * 4 * std::numbers::pi * radius * radius;
   }
 
   const ProxyMesh& proxy_;
@@ -180,6 +185,7 @@ std::vector<TurnedGroup> joined(std::vector<TurnedGroup> groups, double near) {
     // Heights are told from the point of the axis that stays, in its direction.
     const double sense = glm::dot(group.axis.along, same->axis.along) < 0 ? -1 : 1;
     const double shift = glm::dot(group.axis.point - same->axis.point, same->axis.along);
+    same->cut_along |= group.cut_along;
     for (GroupFace& face : group.faces) {
       const double low = shift + sense * face.extent.low, high = shift + sense * face.extent.high;
       face.extent.low = std::min(low, high);

@@ -24,6 +24,8 @@ struct TurnedGroup {
   Axis axis;
   /// A ball by itself, which has no axis.
   bool sphere = false;
+  /// Whether a section runs along the axis.
+  bool cut_along = false;
   /// By part and face.
   std::vector<GroupFace> faces;
 

@@ -24,6 +24,9 @@ constexpr double kSimplify = 0.005;
 // stubs stand at outlines.
 constexpr double kShortestRest = 0.3;
 
+// Paper mm of a centre line that are drawn.
+constexpr double kLeastCentre = 1;
+
 Path to_path(const Curve3& curve, const Camera& camera) {
   Path path;
   path.kind = curve.kind;
@@ -222,6 +225,9 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
   }
   keep_one_line(layers, context);
   join_lines(layers, context);
+  // What other lines leave of a centre line, such as trails along it, may be specks.
+  std::erase_if(std::ranges::find(layers, kCentreLayer, &Layer::name)->paths,
+                [](const Path& path) { return length_of(path) < kLeastCentre; });
   for (Layer& layer : layers) {
     if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
   }

@@ -13,8 +13,8 @@
 namespace burin {
 namespace {
 
-/// Points of a face that are asked.
-constexpr std::size_t kPoints = 64;
+/// Points of a face that are asked, about.
+constexpr std::size_t kPoints = 96;
 /// Root mean square of how fast a motion may leave the face, over the size of the face a radian.
 struct Speeds {
   /// At the most; and up to which all are as slow.
@@ -37,10 +37,15 @@ struct Sample {
 std::vector<Sample> samples_of(const Surface& surface,
                                const std::vector<std::uint32_t>& triangles) {
   std::vector<Sample> out;
-  const std::size_t step = std::max<std::size_t>(1, triangles.size() / kPoints);
+  const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / kPoints);
   for (std::size_t i = 0; i < triangles.size(); i += step) {
-    const Frame frame = surface.frame(surface.lift({triangles[i], Vec3(1.0 / 3)}));
-    out.push_back({frame.position, frame.normal});
+    // Near all corners: the middles of a fan, as of a cone, lie on one circle, which is on a ball.
+    for (int corner = 0; corner < 3; ++corner) {
+      Vec3 bary(0.1);
+      bary[corner] = 0.8;
+      const Frame frame = surface.frame(surface.lift({triangles[i], bary}));
+      out.push_back({frame.position, frame.normal});
+    }
   }
   return out;
 }

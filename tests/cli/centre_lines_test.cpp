@@ -86,6 +86,25 @@ TEST_F(CentreLinesOfDrawings, RunThroughHolesThatASectionOpens) {
   EXPECT_NEAR(lines[0].at("points3")[0][0].get<double>(), 30 * std::cos(0.2), 1e-3);
 }
 
+TEST_F(CentreLinesOfDrawings, RunOverCutFaces) {
+  for (const char* solid : {"cylinder($fn=48, h=30, r1=10, r2=10, center=false);",
+                            "cylinder($fn=48, h=30, r1=10, r2=0, center=false);"}) {
+    folder_.write("solid.csg", solid);
+    ASSERT_EQ(run("draw @/solid.csg --style outline --view front --section y=0 -o @/a.json "
+                  "--centre-lines auto"),
+              0)
+        << err_;
+    const Json lines = paths();
+    ASSERT_EQ(lines.size(), 1U) << solid;
+    EXPECT_NEAR(lines[0].at("points3")[0][0].get<double>(), 0, 1e-6);
+  }
+}
+
+TEST_F(CentreLinesOfDrawings, HoldForPartsInStylesOfTheirOwn) {
+  ASSERT_EQ(draw("--view top --centre-lines auto --look *=pencil"), 0) << err_;
+  EXPECT_FALSE(paths().empty());
+}
+
 TEST_F(CentreLinesOfDrawings, AreThereWhereTheyAreAskedForAlone) {
   ASSERT_EQ(draw("--view top"), 0) << err_;
   EXPECT_TRUE(paths().empty());

@@ -70,6 +70,15 @@ TEST_P(TurnedFaces, KnowTheirAxis) {
 INSTANTIATE_TEST_SUITE_P(Kinds, TurnedFaces,
                          testing::Values("cylinder", "quarter", "cone", "torus"));
 
+TEST(TurnedFace, OfAPointedConeIsNoBall) {
+  for (const double height : {1.0, 3.0, 6.0, 12.0}) {
+    const auto faces = faces_of(askew(BRepPrimAPI_MakeCone(3, 0, height).Shape()));
+    ASSERT_EQ(faces.size(), 1U);
+    EXPECT_FALSE(faces[0].sphere) << height;
+    EXPECT_LT(off(kThrough, faces[0].axis), 1e-9);
+  }
+}
+
 TEST(TurnedFace, OfABallIsItsCentre) {
   const auto faces = faces_of(askew(BRepPrimAPI_MakeSphere(3).Shape()));
   ASSERT_EQ(faces.size(), 1U);
@@ -155,6 +164,15 @@ TEST(CentreLines, AHiddenHoleHasOneWhereHiddenLinesAreDrawn) {
   }
   EXPECT_NEAR(std::abs(d.lines[0].points[1].z - d.lines[0].points[0].z),
               1 + 2 * 2.5 / d.camera.scale(), 1e-9);
+}
+
+TEST(CentreLines, ADeepNarrowHoleHasOneWhereItsRimIsSeen) {
+  const TopoDS_Shape drill =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 15, 5), gp_Dir(0, 0, 1)), 1.5, 30);
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(test::box_shape(40, 30, 30), drill).Shape();
+  const Drawn d = drawn({block}, glm::normalize(Vec3(1, -1, 1)), kZ);
+  ASSERT_EQ(d.lines.size(), 1U);
+  for (const Vec3& p : d.lines[0].points) EXPECT_LT(std::hypot(p.x - 20, p.y - 15), 1e-9);
 }
 
 TEST(CentreLines, ALineRunsAlongTheAxisInAnyView) {

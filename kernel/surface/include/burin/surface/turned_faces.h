@@ -46,9 +46,9 @@ struct TurnedExtent {
 };
 
 /// The faces of revolution of a surface, by number. A face is one where some turn moves none of its
-/// points off it (slippage analysis of at most 64 points with their normals): the axes of exact
+/// points off it (slippage analysis of about 100 points with their normals): the axes of exact
 /// forms are as exact as their normals, those of meshes as good as their estimates. Planes are
-/// none, nor are faces that cut a part open. Throws Cancelled. Cost: 64 frames a face.
+/// none, nor are faces that cut a part open. Throws Cancelled. Cost: 100 frames a face.
 /// @cite Gelfand2004
 std::vector<TurnedFace> turned_faces(const Surface& surface, const RunContext& context);
 
