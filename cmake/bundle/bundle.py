@@ -17,6 +17,19 @@ from listing import listing  # noqa: E402
 from pages import keep_links_inside  # noqa: E402
 
 
+# At the top of the folder, where who unpacks it looks first.
+README = """Burin {version}: line art of parts and assemblies.
+
+    bin/burin draw samples/coupling.step -o coupling.svg
+    bin/burin --help
+
+The pages are in share/doc/burin and begin with draw.md; the licences are in share/doc/burin/licences.
+Nothing else is installed: the folder may be moved, and deleting it takes all away.
+"""
+# What the first lines of the pages draw.
+SAMPLES = ("coupling.step", "gear_pump.step")
+
+
 def make(build):
     name = f"burin-{version()}-linux-{platform.machine()}"
     top = build / "bundle" / name
@@ -30,6 +43,10 @@ def make(build):
     compiled = compiled_in(top)
     notices(top / "share/doc/burin/licences", {**packages, **compiled})
     keep_links_inside(top / "share/doc/burin")
+    (top / "README.txt").write_text(README.format(version=version()), encoding="utf-8")
+    (top / "samples").mkdir()
+    for sample in SAMPLES:
+        shutil.copyfile(SOURCE / "samples" / sample, top / "samples" / sample)
     inside = build / f"{name}.spdx.json"
     inside.write_text(listing(packages, compiled, "share/doc/burin/licences"), encoding="utf-8")
     shutil.copyfile(inside, top / "share/doc/burin/packages.spdx.json")

@@ -30,6 +30,9 @@ for suite in "$@"; do
   cp "$plain" "$root/opt/"
   chroot "$root" tar -C /opt -xf "/opt/$name.tar.gz"
   inside --version >/dev/null || fail "$suite: the command does not start"
+  # As the README of the bundle says.
+  chroot "$root" env -i sh -c "cd /opt/$name && bin/burin draw samples/coupling.step -o /tmp/own.svg --quiet" ||
+    fail "$suite: the sample of the bundle is not drawn"
   for model in coupling.step spindle.stl horn.itd lantern.glb blend.implicit; do
     for style in outline engraving; do
       cp "$source/samples/$model" "$root/tmp/"
