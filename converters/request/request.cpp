@@ -87,8 +87,9 @@ void light_by(const DrawRequest& request, Style& style) {
   });
 }
 
-/// What is asked for of the whole drawing holds for parts in a style of their own, too.
-void hold_centre_lines(const DrawRequest& request, const DrawPlan& plan, Style& style) {
+/// What is asked for of the whole drawing holds for a part in a style of its own, too.
+void follow_whole(const DrawRequest& request, const DrawPlan& plan, Style& style) {
+  light_by(request, style);
   if (request.has("centre_lines")) style.feature.centre_lines = plan.style.feature.centre_lines;
 }
 
@@ -182,8 +183,7 @@ Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& pla
   look.style = std::move(own->style);
   if (own->is_opaque) leave_glass(look);
   read_images(*look.style, plan.illustrate.images);
-  light_by(request, *look.style);
-  hold_centre_lines(request, plan, *look.style);
+  follow_whole(request, plan, *look.style);
   return look;
 }
 
@@ -217,9 +217,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   for (const LookRequest& look : draft.looks) plan.looks.push_back(look_of(look, request, plan));
   light_by(request, plan.style);
   for (PartStyle& part : plan.illustrate.part_styles) {
-    if (!part.style) continue;
-    light_by(request, *part.style);
-    hold_centre_lines(request, plan, *part.style);
+    if (part.style) follow_whole(request, plan, *part.style);
   }
   plan.read = make_read_options(request.options, spelling);
   plan.asked_keys = asked_keys(request, draft.named, plan);

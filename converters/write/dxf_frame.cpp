@@ -218,7 +218,8 @@ int nearest_of_all_colors(const Rgb& color) {
     best = number;
   };
   // A dark red may be nearer to a dark grey than any grey is.
-  for (int hue = 0; hue < kHues && !is_grey(color); ++hue) {
+  const int hues = is_grey(color) ? 0 : kHues;
+  for (int hue = 0; hue < hues; ++hue) {
     std::array<double, 3> pure{};
     for (std::size_t c = 0; c < 3; ++c) {
       // Steps of 15 degrees from the hue of which this is the pure one, both ways.

@@ -95,9 +95,8 @@ class Maker {
 
   /// The largest face says where a line comes from.
   static SourceId source_of(const TurnedGroup& group) {
-    const auto largest = std::ranges::max_element(
-        group.faces, {}, [](const GroupFace& face) { return face.extent.radius; });
-    return {largest->part, largest->turned.face, -1};
+    const GroupFace& largest = group.largest();
+    return {largest.part, largest.turned.face, -1};
   }
 
   void add(std::vector<Vec3> points, const SourceId& source, bool closed = false) {
@@ -194,12 +193,9 @@ class Maker {
     std::vector<Vec3> ends;
     for (const TurnedGroup* group : groups) {
       const Vec3 end = near_end(*group);
-      const SourceId source = source_of(*group);
-      const auto& largest = *std::ranges::find_if(group->faces, [&](const GroupFace& face) {
-        return face.part == source.part && face.turned.face == source.face;
-      });
-      rounds.push_back({camera_.to_paper(end), group->radius() * camera_.scale_at(end),
-                        largest.turned.hollow, source.part});
+      const GroupFace& largest = group->largest();
+      rounds.push_back({camera_.to_paper(end), largest.extent.radius * camera_.scale_at(end),
+                        largest.turned.hollow, largest.part});
       ends.push_back(end);
     }
     std::vector<bool> on_circle(groups.size());

@@ -20,28 +20,12 @@ constexpr double kLeastBall = 0.45;
 /// Whether both ends of what a face takes up of its axis lie on another axis.
 bool on_axis(const Axis& axis, const Axis& other, const TurnedExtent& extent, double near) {
   const auto off = [&](double height) {
-    const Vec3 p = axis.point + height * axis.along - other.point;
-    return glm::length(p - glm::dot(p, other.along) * other.along);
+    return glm::length(other.to(axis.point + height * axis.along));
   };
   // A short face knows its direction no better than its radius allows.
   const double reach = std::max(extent.high - extent.low, extent.radius);
   const double middle = 0.5 * (extent.low + extent.high);
   return off(middle - 0.5 * reach) <= near && off(middle + 0.5 * reach) <= near;
-}
-
-double distance_to(const Axis& axis, Vec3 point) {
-  const Vec3 p = point - axis.point;
-  return glm::length(p - glm::dot(p, axis.along) * axis.along);
-}
-
-double area_of(const ProxyMesh& proxy, std::span<const std::uint32_t> triangles) {
-  double sum = 0;
-  for (const std::uint32_t t : triangles) {
-    const auto& [a, b, c] = proxy.mesh.triangles[t];
-    const auto& p = proxy.mesh.positions;
-    sum += 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
-  }
-  return sum;
 }
 
 struct CutPlane {
@@ -100,7 +84,7 @@ class Grouping {
   void add_sphere(const TurnedFace& face) {
     bool taken = false;
     for (TurnedGroup& group : groups_) {
-      if (distance_to(group.axis, face.axis.point) > near_) continue;
+      if (glm::length(group.axis.to(face.axis.point)) > near_) continue;
       group.faces.push_back({part_, face, extent_about(group.axis, proxy_, face.triangles)});
       taken = true;
     }
@@ -125,7 +109,9 @@ class Grouping {
  private:
   bool is_ball(const TurnedGroup& group, int cuts) const {
     double area = 0;
-    for (const GroupFace& face : group.faces) area += area_of(proxy_, face.turned.triangles);
+    for (const GroupFace& face : group.faces) {
+      for (const std::uint32_t triangle : face.turned.triangles) area += proxy_.mesh.area(triangle);
+    }
     const double radius = glm::distance(
         group.axis.point,
         proxy_.mesh.positions[proxy_.mesh.triangles[group.faces[0].turned.triangles[0]][0]]);
@@ -140,10 +126,12 @@ class Grouping {
 
 }  // namespace
 
-double TurnedGroup::radius() const {
-  double radius = 0;
-  for (const GroupFace& face : faces) radius = std::max(radius, face.extent.radius);
-  return radius;
+const GroupFace& TurnedGroup::largest() const {
+  constexpr double kEqual = 1 - 1e-9;  // rounding decides nothing between faces of one radius
+  const auto radius = [](const GroupFace& face) { return face.extent.radius; };
+  const double most = radius(*std::ranges::max_element(faces, {}, radius));
+  return *std::ranges::find_if(
+      faces, [&](const GroupFace& face) { return radius(face) >= kEqual * most; });
 }
 
 Vec3 TurnedGroup::middle() const {
@@ -182,7 +170,7 @@ std::vector<TurnedGroup> joined(std::vector<TurnedGroup> groups, double near) {
       out.push_back(std::move(group));
       continue;
     }
-    // Heights are told from the point of the axis that stays, in its direction.
+    // Heights are measured from the point of the axis that stays, in its direction.
     const double sense = glm::dot(group.axis.along, same->axis.along) < 0 ? -1 : 1;
     const double shift = glm::dot(group.axis.point - same->axis.point, same->axis.along);
     same->cut_along |= group.cut_along;

@@ -29,8 +29,9 @@ struct TurnedGroup {
   /// By part and face.
   std::vector<GroupFace> faces;
 
-  /// The largest radius.
-  double radius() const;
+  /// The first of the largest radius.
+  const GroupFace& largest() const;
+  double radius() const { return largest().extent.radius; }
   /// A point of the axis, model mm from its point.
   Vec3 at(double height) const { return axis.point + height * axis.along; }
   /// On the axis, in the middle of the first face.

@@ -1,3 +1,4 @@
+#include <burin/surface/tangent_basis.h>
 #include <burin/surface/turned_faces.h>
 
 #include <Eigen/Eigenvalues>
@@ -137,23 +138,12 @@ std::optional<TurnedFace> turned_face(const Surface& surface,
   }
   double outward = 0;
   for (const Sample& s : samples) {
-    Vec3 from_axis = s.position - out.axis.point;
-    if (!out.sphere) from_axis -= glm::dot(from_axis, out.axis.along) * out.axis.along;
+    const Vec3 from_axis = out.sphere ? s.position - out.axis.point : out.axis.to(s.position);
     outward += glm::dot(from_axis, s.normal);
   }
   out.hollow = outward < 0;
   out.triangles = triangles;
   return out;
-}
-
-/// Two directions across an axis; the same for the same axis.
-std::pair<Vec3, Vec3> across(Vec3 along) {
-  const Vec3 a = glm::abs(along);
-  const Vec3 other = a.x <= a.y && a.x <= a.z ? Vec3(1, 0, 0)
-                     : a.y <= a.z             ? Vec3(0, 1, 0)
-                                              : Vec3(0, 0, 1);
-  const Vec3 x = glm::normalize(glm::cross(along, other));
-  return {x, glm::cross(along, x)};
 }
 
 void mark(double from, double to, std::bitset<360>& turn) {
@@ -183,7 +173,7 @@ TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,
   TurnedExtent out;
   out.low = std::numeric_limits<double>::infinity();
   out.high = -out.low;
-  const auto [x, y] = across(axis.along);
+  const TangentBasis across(axis.along);
   for (const std::uint32_t triangle : triangles) {
     std::array<double, 3> angles{};
     std::array<double, 3> radii{};
@@ -192,7 +182,7 @@ TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,
       const double height = glm::dot(p, axis.along);
       out.low = std::min(out.low, height);
       out.high = std::max(out.high, height);
-      const Vec2 flat(glm::dot(p, x), glm::dot(p, y));
+      const Vec2 flat = across.coords(p);
       radii[k] = glm::length(flat);
       angles[k] = std::atan2(flat.y, flat.x);
       out.radius = std::max(out.radius, radii[k]);

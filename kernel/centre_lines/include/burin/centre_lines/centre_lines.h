@@ -28,7 +28,8 @@ struct CentreLineOptions {
 /// not), half of that where a section runs along the axis. Seen along its axis a face has two lines
 /// that cross, as long as the largest face that is seen there; three and more equal holes of a part
 /// on one circle have that circle and one line each. Faces narrower than 1.2 mm on paper have none;
-/// a diagnostic counts them. Throws Cancelled. Cost: that of `turned_faces`, and 40 rays a face.
+/// a diagnostic counts them. Throws Cancelled. Cost: that of `turned_faces`, and at most 170 rays a
+/// face.
 /// @cite ISO128part2
 std::vector<Curve3> centre_lines(std::span<const std::shared_ptr<const Surface>> surfaces,
                                  const Camera& camera, const Occluder& occluder,

@@ -17,6 +17,9 @@ namespace burin {
 struct Axis {
   Vec3 point{0};
   Vec3 along{0, 0, 1};
+
+  /// From the nearest point of the axis.
+  Vec3 to(Vec3 p) const { return p - point - glm::dot(p - point, along) * along; }
 };
 
 /// A face of revolution, or a piece of one.
@@ -46,9 +49,9 @@ struct TurnedExtent {
 };
 
 /// The faces of revolution of a surface, by number. A face is one where some turn moves none of its
-/// points off it (slippage analysis of about 100 points with their normals): the axes of exact
+/// points off it (slippage analysis of at most 192 points with their normals): the axes of exact
 /// forms are as exact as their normals, those of meshes as good as their estimates. Planes are
-/// none, nor are faces that cut a part open. Throws Cancelled. Cost: 100 frames a face.
+/// none, nor are faces that cut a part open. Throws Cancelled. Cost: 192 frames a face at the most.
 /// @cite Gelfand2004
 std::vector<TurnedFace> turned_faces(const Surface& surface, const RunContext& context);
 
