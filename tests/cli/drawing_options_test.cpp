@@ -71,7 +71,7 @@ TEST_F(DrawingOptions, ScalesAndMarginsThatAreNone) {
   refused("--tolerance 1e-30", "takes a number of mm from 1e-12 to 1e12");
   refused("--detail 0,0,0,0", "takes X,Y,Z,R with a radius R over 0");
   refused("--margin 1,2,3", "TOP,RIGHT,BOTTOM,LEFT");
-  refused("--margin 100,0,109,0", "leave 2 mm of 297 x 210 mm");
+  refused("--margin 100,0,109,0 --paper A4", "leave 2 mm of 297 x 210 mm");
   refused("--margin 1,2,3,-4", "TOP,RIGHT,BOTTOM,LEFT");
   refused("--margin 1,2,3,4 --perspective 30", "same margin on all sides");
   refused("--paper fit --scale 10000", "10000 mm a side are the most");

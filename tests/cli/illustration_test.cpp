@@ -158,7 +158,7 @@ TEST_F(Illustrations, KindsOfStrokesAreSaidByListAndByKey) {
   const std::string keys =
       " --set strokes.2.width_max=0.5 --set strokes.2.kind=dots --set strokes.2.select=box "
       "--set hatch.width_law=0.5+t";
-  ASSERT_EQ(run("illustrate @/box.off -o @/first.burin.json" + keys), 0) << err_;
+  ASSERT_EQ(run("illustrate @/box.off --paper A6 -o @/first.burin.json" + keys), 0) << err_;
   ASSERT_EQ(run("draw @/first.burin.json -o @/a.svg"), 0) << err_;
   ASSERT_EQ(run("draw @/box.off -o @/b.svg" + keys), 0) << err_;
   EXPECT_EQ(test::slurp(folder_ / "a.svg"), test::slurp(folder_ / "b.svg"));

@@ -37,11 +37,23 @@ class KeyEffects : public test::CliTest {
                   "module ball() color(\"#c0d0e0\") translate([20, 15, 26]) sphere(8, $fn = 24);\n"
                   "module base() color(\"#e0c080\") cube([40, 30, 18]);\n"
                   "ball(); base();\n");
-    // What OpenSCAD makes of it but for the names: there is no need to start it for each key.
-    folder_.write("two.csg",
-                  "color([0.75, 0.82, 0.88, 1]) multmatrix([[1, 0, 0, 20], [0, 1, 0, 15], "
-                  "[0, 0, 1, 26], [0, 0, 0, 1]]) { sphere($fn = 24, r = 8); }\n"
-                  "color([0.88, 0.75, 0.5, 1]) { cube(size = [40, 30, 18], center = false); }\n");
+    // The same as meshes: there is no need to start OpenSCAD for each key.
+    folder_.write("ball.off",
+                  painted(test::ellipsoid(Vec3(8), 24, 12), {20, 15, 26}, "192 208 224"));
+    folder_.write("base.off",
+                  painted(test::box({0, 0, 0}, {40, 30, 18}), {0, 0, 0}, "224 192 128"));
+  }
+
+  /// A mesh whose faces have a colour.
+  static std::string painted(const TriMesh& mesh, Vec3 at, const std::string& color) {
+    std::string text = fmt::format("OFF\n{} {} 0\n", mesh.positions.size(), mesh.triangles.size());
+    for (const Vec3& p : mesh.positions) {
+      text += fmt::format("{} {} {}\n", p.x + at.x, p.y + at.y, p.z + at.z);
+    }
+    for (const Triangle& t : mesh.triangles) {
+      text += fmt::format("3 {} {} {} {}\n", t[0], t[1], t[2], color);
+    }
+    return text;
   }
 
   std::string drawn(const std::string& options, const std::string& model = "two.scad") {
@@ -58,9 +70,10 @@ class KeyEffects : public test::CliTest {
 };
 
 TEST_F(KeyEffects, EachKeyChangesTheDrawingOrIsTold) {
+  const std::string models = "ball.off @/base.off";
   for (const std::string style :
        {"outline", "flat", "shaded", "cel", "manual", "duotone", "engraving"}) {
-    const std::string plain = drawn("--style " + style, "two.csg");
+    const std::string plain = drawn("--style " + style, models);
     for (const StyleKey& key : style_keys(builtin_style(style))) {
       const std::string group = key.name.substr(0, key.name.find('.'));
       if (group != "fill" && group != "tone" && group != "shadow") continue;
@@ -70,7 +83,7 @@ TEST_F(KeyEffects, EachKeyChangesTheDrawingOrIsTold) {
       const std::string value = turns ? (key.value == "true" ? "false" : "true") : own->second;
       if (value == key.value) continue;
       const bool changes =
-          drawn("--style " + style + " --set " + key.name + "=" + value, "two.csg") != plain;
+          drawn("--style " + style + " --set " + key.name + "=" + value, models) != plain;
       const bool says = err_.find("style key " + key.name + " has no effect") != err_.npos;
       EXPECT_NE(changes, says) << style << " " << key.name << "=" << value << ": " << err_;
     }

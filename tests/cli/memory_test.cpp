@@ -48,9 +48,10 @@ std::string turned(const Profile& profile, const std::string& name) {
 
 class Memory : public test::CliTest {
  protected:
-  /// Draws with two threads and returns the MB that it took at the most.
+  /// Draws on A4 with two threads and returns the MB that it took at the most.
   double draw(const std::string& file, const std::string& options) {
-    EXPECT_EQ(run("draw " + file + " -o @/a.svg --threads 2 " + options), 0) << err_;
+    const std::string sheet = options.find("--paper") == options.npos ? " --paper A4" : "";
+    EXPECT_EQ(run("draw " + file + " -o @/a.svg --threads 2 " + options + sheet), 0) << err_;
     // An empty drawing costs nothing.
     EXPECT_NE(test::slurp(folder_ / "a.svg").find("<path"), std::string::npos) << file;
     return peak_mb_;

@@ -351,7 +351,7 @@ TEST_F(OpenscadParts, IllustrationsHaveTheMarksOfTheModel) {
       "callout(3) ink(\"engraving\") part(\"lid\") translate([0, 0, 10]) cube([9, 8, 2]);\n"
       "explode([0, 0, 30]) part(\"pin\") translate([2, 2, 15]) cube(3);\n"
       "part(\"base\") cube([9, 8, 10]);");
-  ASSERT_EQ(run("illustrate @/m.scad -o @/m.burin.json"), 0) << err_;
+  ASSERT_EQ(run("illustrate @/m.scad --paper A6 -o @/m.burin.json"), 0) << err_;
   const Json file = Json::parse(slurp(folder_ / "m.burin.json"));
   EXPECT_EQ(file["view"]["from"], "front") << file;
   EXPECT_EQ(file["callouts"], true) << file;

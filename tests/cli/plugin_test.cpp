@@ -181,7 +181,9 @@ TEST_F(Plugins, FormsAreDrawnAndMeasured) {
   EXPECT_NEAR(part["bounds"]["max"][0].get<double>(), 10, 1e-6);
   // Walls of 2 mm with some 2.4 / period mm2 a mm3 of surface.
   EXPECT_NEAR(part["volume"].get<double>() / 8000, 2 * 3.09 / 15, 0.06);
-  ASSERT_EQ(run("draw form:gyroids -o @/g.json --quiet --style outline --verify"), 0) << err_;
+  ASSERT_EQ(run("draw form:gyroids --gyroids-size 20 -o @/g.json --quiet --style outline --verify"),
+            0)
+      << err_;
   ASSERT_EQ(run("draw form:nothing -o @/g.json"), 2);
   expect_error("there are gyroids");
   use("other");

@@ -255,11 +255,13 @@ TEST_F(SheetViews, ASheetThatIsMostlyEmptyIsTold) {
 }
 
 TEST_F(SheetViews, AViewThatIsSmallBesideItsDetailIsTold) {
-  ASSERT_EQ(run("draw @/box.off --style outline --detail 40,0,20,8=11:1 -o @/a.json"), 0) << err_;
+  ASSERT_EQ(run("draw @/box.off --style outline --paper A4 --detail 40,0,20,8=11:1 -o @/a.json"), 0)
+      << err_;
   EXPECT_NE(err_.find("mm large, its detail A 176 mm: give the detail a smaller scale than 11:1"),
             std::string::npos)
       << err_;
-  ASSERT_EQ(run("draw @/box.off --style outline --detail 40,0,20,8=5:1 -o @/a.json"), 0) << err_;
+  ASSERT_EQ(run("draw @/box.off --style outline --paper A4 --detail 40,0,20,8=5:1 -o @/a.json"), 0)
+      << err_;
   EXPECT_EQ(err_, "");
 }
 

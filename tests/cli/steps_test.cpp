@@ -99,8 +99,10 @@ document.body.innerHTML = "<pre>" + out.join("|") + "</pre>";
 }
 
 TEST_F(Steps, SameBytesForAnyNumberOfThreads) {
-  ASSERT_EQ(run("steps " + pump() + " -o @/a.html --style outline --threads 1"), 0) << err_;
-  ASSERT_EQ(run("steps " + pump() + " -o @/b.html --style outline --threads 4"), 0) << err_;
+  ASSERT_EQ(run("steps " + pump() + " -o @/a.html --style outline --paper A6 --threads 1"), 0)
+      << err_;
+  ASSERT_EQ(run("steps " + pump() + " -o @/b.html --style outline --paper A6 --threads 4"), 0)
+      << err_;
   EXPECT_EQ(test::slurp(folder_ / "a.html"), test::slurp(folder_ / "b.html"));
 }
 

@@ -20,6 +20,7 @@ class Watch : public test::CliTest {
 
   void watch(std::vector<std::string> words) {
     words.insert(words.begin(), "watch");
+    give_sheet(words);
     watch_.emplace(folder_, words);
   }
 
@@ -44,20 +45,11 @@ class Watch : public test::CliTest {
   /// The bytes that `burin draw` gives for the same.
   std::string fresh(const std::string& rest) {
     test::Folder apart;
-    test::Command draw(apart, words_of("draw " + rest + " -o " + (apart / "fresh.svg")));
+    std::vector<std::string> words = words_of("draw " + rest + " -o " + (apart / "fresh.svg"));
+    give_sheet(words);
+    test::Command draw(apart, words);
     EXPECT_EQ(draw.wait(), 0) << draw.std_err;
     return slurp(apart / "fresh.svg");
-  }
-  static std::vector<std::string> words_of(const std::string& line) {
-    std::vector<std::string> words(1);
-    for (const char c : line) {
-      if (c == ' ') {
-        words.emplace_back();
-      } else {
-        words.back() += c;
-      }
-    }
-    return words;
   }
 
   /// Ends it as Ctrl-C does.
@@ -124,7 +116,7 @@ TEST_F(Watch, PagesLearnOfEachDrawing) {
   EXPECT_FALSE(fs::exists(live));
   // A page that nobody draws anew does not ask.
   test::Folder apart;
-  test::Command draw(apart, {"draw", box_, "-o", apart / "one.html"});
+  test::Command draw(apart, {"draw", box_, "-o", apart / "one.html", "--paper", kSheet});
   EXPECT_EQ(draw.wait(), 0);
   EXPECT_EQ(slurp(apart / "one.html").find(".live.js"), std::string::npos);
 }
