@@ -108,7 +108,7 @@ class SessionTest : public ::testing::Test {
 
   Camera camera() const {
     return Camera::fit([&](const Mat3& a) { return scene_.bounds(a); },
-                       {.direction = direction_, .scale = paper_scale_, .paper = {200, 140}});
+                       {.direction = direction_, .scale = paper_scale_, .paper = {100, 70}});
   }
 
   // The session's drawing, which has to be that of a fresh run.
@@ -129,7 +129,7 @@ class SessionTest : public ::testing::Test {
   Scene scene_;
   std::shared_ptr<Counting> ball_, ring_;
   Vec3 direction_{1, -2, 1};
-  double paper_scale_ = 2;
+  double paper_scale_ = 1;
   Style style_ = builtin_style("engraving");
   IllustrateOptions options_;
   Session session_;
@@ -245,12 +245,12 @@ TEST_F(SessionTest, FacetsThatAreFineEnoughStayInASmallerDrawing) {
       std::make_shared<Counting>(std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48)));
   scene_.parts[1].form = fine;
   EXPECT_EQ(realised(fine), 1);
-  paper_scale_ = 1.5;
+  paper_scale_ = 0.75;
   EXPECT_EQ(realised(fine), 0);
   draw();
   paper_scale_ = 20;  // here they are rounded
   EXPECT_EQ(realised(fine), 1);
-  paper_scale_ = 1.5;
+  paper_scale_ = 0.75;
   EXPECT_EQ(realised(fine), 1);
   draw();
 }
