@@ -19,15 +19,12 @@ class SurfaceContract : public testing::TestWithParam<FormCase> {
   void SetUp() override {
     form_ = test::realised(GetParam()).form;
     surface_ = test::realised(GetParam()).surface;
-    size_ = surface_->proxy().mesh.bounds().diagonal();
+    const Box3 b = surface_->proxy().mesh.bounds();
+    size_ = b.diagonal();
+    rounding_ = 1e-13 * size_ + 1e-15 * (glm::length(b.min) + glm::length(b.max));
     points_ = surface_->cover({.count = 500, .seed = 3}, context_);
   }
-  /// Rounding of positions: some ulps of the largest coordinate.
-  double rounding() const {
-    const Box3 b = surface_->proxy().mesh.bounds();
-    return 1e-13 * size_ + 1e-15 * (glm::length(b.min) + glm::length(b.max));
-  }
-  double near() const { return surface_->proxy().tolerance + GetParam().slip + rounding(); }
+  double near() const { return surface_->proxy().tolerance + GetParam().slip + rounding_; }
   /// The box of a mesh is that of its vertices, beyond which coarse facets bulge by up to 0.12 of
   /// an edge.
   double most_rounding() {
@@ -57,6 +54,8 @@ class SurfaceContract : public testing::TestWithParam<FormCase> {
   std::shared_ptr<const Form> form_;
   std::shared_ptr<const Surface> surface_;
   double size_ = 0;
+  /// Of positions: some ulps of the largest coordinate.
+  double rounding_ = 0;
   std::vector<SurfacePoint> points_;
 };
 
@@ -224,7 +223,7 @@ TEST_P(SurfaceContract, ShortMarchesAreStraight) {
     if (step.stop != MarchStop::Completed) continue;
     const Vec3 gone = reject(step.end.position - points_[i].position, f.normal);
     // The tangent is projected to the triangle, whose normal differs from the frame's.
-    EXPECT_LT(line_angle(gone, t), 0.2 * GetParam().normal_tolerance + 1e8 * rounding() / size_);
+    EXPECT_LT(line_angle(gone, t), 0.2 * GetParam().normal_tolerance + 1e8 * rounding_ / size_);
   }
 }
 

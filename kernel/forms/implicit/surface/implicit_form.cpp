@@ -15,8 +15,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -50,6 +53,18 @@ double support(const Survey& s, Vec3 start, Vec3 direction) {
                     glm::distance(p, start) <= 2 * s.mesh.step;
   return real ? std::max(glm::dot(p, direction), glm::dot(start, direction))
               : glm::dot(start, direction);
+}
+
+// The vertices of triangles, each once, in the order in which triangles name them.
+std::vector<Vec3> corners_of(const ExactMesh& mesh) {
+  std::vector<Vec3> corners;
+  std::vector<char> known(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      if (std::exchange(known[v], 1) == 0) corners.push_back(mesh.positions[v]);
+    }
+  }
+  return corners;
 }
 
 // For what a mesh has lost: a share of what it has taken.
@@ -149,6 +164,8 @@ Misses find_misses(const ExactMesh& mesh, const ImplicitFunction& f, const RunCo
 
 struct ImplicitForm::Impl {
   Survey survey;
+  /// The vertices of its triangles, each once: bounds are asked for again and again.
+  std::vector<Vec3> corners;
   ImplicitProxyOptions options;
 
   ExactMesh mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
@@ -243,6 +260,7 @@ ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
     }
   }
   impl->survey = survey(shared, domain.value_or(own), domain.has_value(), smallest_part, context);
+  impl->corners = corners_of(impl->survey.mesh);
   impl_ = std::move(impl);
 }
 
@@ -266,14 +284,9 @@ Box3 ImplicitForm::bounds_as_read(const Mat3& axes) const {
   Box3 box;
   for (int a = 0; a < 3; ++a) {
     const Vec3 row(axes[0][a], axes[1][a], axes[2][a]);
-    Vec3 low = s.mesh.positions.front(), high = low;
-    for (const Triangle& t : s.mesh.triangles) {
-      for (const std::uint32_t v : t) {
-        const Vec3& p = s.mesh.positions[v];
-        if (glm::dot(p, row) < glm::dot(low, row)) low = p;
-        if (glm::dot(p, row) > glm::dot(high, row)) high = p;
-      }
-    }
+    const auto along = [&](const Vec3& p) { return glm::dot(p, row); };
+    const Vec3 low = std::ranges::min(impl_->corners, {}, along);
+    const Vec3 high = std::ranges::max(impl_->corners, {}, along);
     const double length = glm::length(row);
     box.min[a] = -support(s, low, -row / length) * length;
     box.max[a] = support(s, high, row / length) * length;
