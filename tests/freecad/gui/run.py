@@ -16,12 +16,13 @@ HERE = pathlib.Path(__file__).resolve().parent
 ADDON = pathlib.Path(os.environ.get("BURIN_ADDON") or HERE.parent.parent.parent / "freecad_wb")
 
 # FreeCAD 1.0 would turn the camera slowly, and a test would read it on its way; and what tests print would lie before its window.
+# The navigation cube is painted with each frame of the 3-D view, and a new one for each document.
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
 <FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">%s</FCText></FCParamGroup>
 <FCParamGroup Name="NotificationArea"><FCBool Name="NonIntrusiveNotificationsEnabled" Value="0"/></FCParamGroup>
-<FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
+<FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/><FCBool Name="ShowNaviCube" Value="%d"/></FCParamGroup>
 <FCParamGroup Name="OutputWindow"><FCBool Name="checkShowReportViewOnWarning" Value="0"/>
 <FCBool Name="checkShowReportViewOnError" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
@@ -33,7 +34,7 @@ def screen():
     this root may be taken in another on the machine, and programs would come to that screen and go with it."""
     for number in random.SystemRandom().sample(range(100, 30000), 20):
         read, write = os.pipe()
-        server = subprocess.Popen(["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", os.environ.get("BURIN_TEST_SCREEN", "1280x900") + "x24", "-nolisten", "tcp"],
+        server = subprocess.Popen(["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", os.environ.get("BURIN_TEST_SCREEN", "1024x768") + "x24", "-nolisten", "tcp"],
                                   pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as told:
@@ -57,7 +58,8 @@ def main():
     home = tempfile.mkdtemp(prefix="burin-freecad-")
     with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as config:
         config.write(CONFIG % (os.environ.get("BURIN_TEST_START", "BurinWorkbench"),
-                               os.environ.get("BURIN_TEST_LANGUAGE", "English"), os.environ.get("BURIN_TEST_STYLESHEET", "")))
+                               os.environ.get("BURIN_TEST_LANGUAGE", "English"), os.environ.get("BURIN_TEST_STYLESHEET", ""),
+                               int(os.environ.get("BURIN_TEST_CUBE", "0"))))
     addon = ADDON
     if os.environ.get("BURIN_TEST_COPY"):  # apart from any kernel: that of the build folder is found, and that of an archive
         addon = os.path.join(home, "addon")
@@ -66,6 +68,9 @@ def main():
     environment = dict(os.environ, DISPLAY=display, FREECAD_USER_HOME=home, QTWEBENGINE_DISABLE_SANDBOX="1",
                        BURIN_TEST_OUT=str(out), BURIN_TEST_VERDICT=str(verdict), PYTHONDONTWRITEBYTECODE="1",
                        LC_ALL="C.UTF-8",
+                       # The processor paints the 3-D view, in the thread that waits for it: other tests have the other processors.
+                       # Its buffers of some MB are kept, for the system would clear their pages for each frame.
+                       LP_NUM_THREADS="0", MALLOC_MMAP_THRESHOLD_=str(256 << 20), MALLOC_TRIM_THRESHOLD_=str(512 << 20),
                        QT_X11_NO_MITSHM="1")  # Qt 5.15 may wait for ever for Xvfb's word on shared memory
     environment.pop("PYTHONPATH", None)
     if kernel != "none":

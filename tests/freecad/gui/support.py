@@ -5,7 +5,6 @@ import faulthandler
 import os
 import pathlib
 import signal
-import subprocess
 import sys
 import time
 import traceback
@@ -171,16 +170,14 @@ def held():
 
 def screenshot(name):
     """The whole screen as OUT/name.png, when it holds still: a busy machine lays windows out late."""
-    path = OUT / f"{name}.png"
-    before = None
+    before = now = None
     for _ in range(10):
         settle(150)
-        subprocess.run(["import", "-window", "root", "-define", "png:exclude-chunks=date,time", str(path)],
-                       check=True, timeout=20)
-        now = path.read_bytes()
+        before, now = now, QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage()
         if now == before:
             break
-        before = now
+    path = OUT / f"{name}.png"
+    assert now.save(str(path)), path
     return path
 
 
