@@ -277,7 +277,8 @@ TEST_F(Items, OfTheCouplingHaveTheirAnchorsOnTheirParts) {
   const std::string coupling = std::string(BURIN_SOURCE_DIR) + "/samples/coupling.step";
   for (const char* view : {"iso", "front", "-1,-2,0.3", "top"}) {
     for (const char* layout : {"columns", "rows", "around"}) {
-      ASSERT_EQ(run("draw " + coupling + " -o @/a.json --style outline --callouts --view=" + view +
+      ASSERT_EQ(run("draw " + coupling +
+                    " -o @/a.json --style outline --paper A4 --callouts --view=" + view +
                     " --set callout.layout=" + layout),
                 0)
           << err_;
@@ -289,7 +290,8 @@ TEST_F(Items, OfTheCouplingHaveTheirAnchorsOnTheirParts) {
       expect_sound(d);
     }
   }
-  ASSERT_EQ(run("draw " + coupling + " -o @/a.json --style outline --callouts --perspective 30"),
+  ASSERT_EQ(run("draw " + coupling +
+                " -o @/a.json --style outline --paper A4 --callouts --perspective 30"),
             0);
   expect_sound(drawing());
 }
