@@ -26,7 +26,7 @@ class Views(unittest.TestCase):
 
     def test_a_session_draws_the_same(self):
         asked = {"style": "engraving", "views": "front,iso", "detail": ["0,0,0,6=5:1"], "paper": "A6"}
-        for file in ("bracket.off", "pump_cover.implicit"):
+        for file in ("bracket.off", "blend.implicit"):
             scene, session = burin.Scene.read(SAMPLES / file), burin.Session()
             fresh = burin.draw(scene, **asked).to_bytes("json")
             for _ in range(2):

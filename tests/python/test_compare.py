@@ -202,7 +202,7 @@ sys.exit(run.returncode)
         self.assertEqual(found["shown"][0]["difference"], "diff/both.svg")
 
     def test_step_books(self):
-        book = '[[figures]]\nname = "steps"\nmodel = "coupling.step"\nsteps = true\noptions = {style = "outline"}\n'
+        book = '[[figures]]\nname = "steps"\nmodel = "coupling.step"\nsteps = true\noptions = {style = "outline", paper = "A6"}\n'
         shutil.copy(SAMPLES / "coupling.step", self.manual)
         self.commit(book__toml=book)
         shutil.copy(SAMPLES / "coupling_revised.step", self.manual / "coupling.step")

@@ -131,7 +131,7 @@ class Textures(unittest.TestCase):
         def draw(texture):
             scene = burin.Scene()
             scene.add_mesh(vertices, triangles, "ball", texture=texture)
-            return burin.draw(scene, style="engraving", set=keys)
+            return burin.draw(scene, style="engraving", paper="A6", set=keys)
 
         def codes(drawing):
             return [d.code for d in drawing.diagnostics]
@@ -158,13 +158,14 @@ class SameAsCommand(unittest.TestCase):
 
     def check(self, model, words, formats=("svg", "json"), **keywords):
         with tempfile.TemporaryDirectory() as folder:
-            for suffix in formats:
-                theirs, ours = Path(folder, "a." + suffix), Path(folder, "b." + suffix)
-                subprocess.run(
-                    [COMMAND, "draw", SAMPLES / model, "-o", theirs, "--quiet", *words], check=True, timeout=60
-                )
-                burin.draw(SAMPLES / model, **keywords).save(ours)
-                self.assertEqual(theirs.read_bytes(), ours.read_bytes())
+            theirs = [Path(folder, "a." + suffix) for suffix in formats]
+            outputs = [word for path in theirs for word in ("-o", path)]
+            subprocess.run([COMMAND, "draw", SAMPLES / model, *outputs, "--quiet", *words], check=True, timeout=60)
+            drawing = burin.draw(SAMPLES / model, **keywords)
+            for path in theirs:
+                ours = path.with_stem("b")
+                drawing.save(ours)
+                self.assertEqual(path.read_bytes(), ours.read_bytes())
 
     def test_defaults(self):
         self.check("spindle.stl", [])
@@ -190,7 +191,7 @@ class SameAsCommand(unittest.TestCase):
 
     def test_keys_of_a_format(self):
         # The command knows which files it writes and warns in others that a key of SVG shapes nothing there.
-        self.check("spindle.stl", ["--set=svg.flatten=polylines"], formats=("svg",), set={"svg.flatten": True})
+        self.check("spindle.stl", ["--paper=A6", "--set=svg.flatten=polylines"], formats=("svg",), paper="A6", set={"svg.flatten": True})
 
     def test_perspective_scale_and_center(self):
         self.check(
@@ -341,7 +342,7 @@ class NothingSilent(unittest.TestCase):
             ({"light": (1, 0, 0), **outline}, "argument light has no effect"),
             ({"set": {"hatch": {"taper": 1}}, **outline}, "style key hatch.taper has no effect"),
             ({"scale": 1000, **outline}, "what runs off it is cut"),
-            ({"light": (1, 0, 0), "set": {"tone.law": "facing"}}, "argument light has no effect: tone.law facing"),
+            ({"light": (1, 0, 0), "set": {"tone.law": "facing"}, "paper": "A6"}, "argument light has no effect: tone.law facing"),
         ]
         for keywords, message in cases:
             with self.subTest(message):
@@ -353,9 +354,9 @@ class NothingSilent(unittest.TestCase):
 
     def test_what_has(self):
         for keywords in (
-            {"tone": lambda p, n: n[:, 0]},
+            {"tone": lambda p, n: n[:, 0], "paper": "A6"},
             {"style": "outline", "light": burin.style("outline")["tone.light"]},
-            {"set": {"hatch.taper": 1}},
+            {"set": {"hatch.taper": 1}, "paper": "A6"},
         ):
             self.assertEqual(self.said(mesh_scene(), **keywords), [])
 
@@ -445,7 +446,7 @@ class Styles(unittest.TestCase):
     def test_set_takes_groups(self):
         nested = {"hatch": {"spacing_min": 0.7, "direction": (1, 0, 0)}, "line.outer": 0.9}
         plain = {"hatch.spacing_min": 0.7, "hatch.direction": (1, 0, 0), "line.outer": 0.9}
-        one, two = (burin.draw(mesh_scene(), set=keys).to_bytes("json") for keys in (nested, plain))
+        one, two = (burin.draw(mesh_scene(), paper="A6", set=keys).to_bytes("json") for keys in (nested, plain))
         self.assertEqual(one, two)
         with self.assertRaisesRegex(burin.UsageError, "'hatch.spacing_mn'; the nearest is 'hatch.spacing_min'"):
             burin.draw(mesh_scene(), set={"hatch": {"spacing_mn": 1}})
@@ -454,9 +455,9 @@ class Styles(unittest.TestCase):
                 burin.draw(mesh_scene(), set=wrong)
 
     def test_what_style_gives_draw_takes(self):
-        drawing = burin.draw(mesh_scene(), style=burin.style("engraving"))
+        drawing = burin.draw(mesh_scene(), paper="A6", style=burin.style("engraving"))
         self.assertEqual(drawing.style, "engraving")
-        self.assertEqual(drawing.to_bytes("json"), burin.draw(mesh_scene(), style="engraving").to_bytes("json"))
+        self.assertEqual(drawing.to_bytes("json"), burin.draw(mesh_scene(), paper="A6", style="engraving").to_bytes("json"))
 
 
 class Result(unittest.TestCase):
@@ -544,6 +545,10 @@ class Result(unittest.TestCase):
 
 
 class FieldAndTone(unittest.TestCase):
+    # A face of the cube, from above, is SIDE mm wide on it.
+    SIDE = 100
+    SQUARE = (SIDE + 20, SIDE + 20)
+
     def strokes(self, drawing):
         return [path for layer in drawing.layers for path in layer.paths if path.kind == "stroke"]
 
@@ -556,7 +561,7 @@ class FieldAndTone(unittest.TestCase):
             np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-9)
             return np.stack([-(positions[:, 1] - 5), positions[:, 0] - 5, 0 * positions[:, 0]], -1)
 
-        drawing = burin.draw(mesh_scene(), view="top", style="engraving", field=swirl, set={"hatch.cross_from": 1.1})
+        drawing = burin.draw(mesh_scene(), view="top", paper=self.SQUARE, style="engraving", field=swirl, set={"hatch.cross_from": 1.1})
         strokes = self.strokes(drawing)
         self.assertGreater(len(strokes), 20)
         self.assertTrue(all(s.field == "own" for s in strokes))
@@ -571,37 +576,37 @@ class FieldAndTone(unittest.TestCase):
         def half(positions, normals):
             return np.where(positions[:, :1] < 5, np.nan, [[0.0, 1.0, 0.0]])
 
-        strokes = self.strokes(burin.draw(mesh_scene(), view="top", style="engraving", field=half))
+        strokes = self.strokes(burin.draw(mesh_scene(), view="top", paper=self.SQUARE, style="engraving", field=half))
         self.assertGreater(len(strokes), 10)
         least = min(s.points3[:, 0].min() for s in strokes)
-        scale = 190 / 10
+        scale = self.SIDE / 10
         self.assertGreater(least, 5 - 1 / scale)
 
     def test_tone_is_darkness(self):
         def stripes(positions, normals):
             return np.where(positions[:, 0] < 5, 0.9, 0.0)
 
-        drawing = burin.draw(mesh_scene(), view="top", style="engraving", tone=stripes)
+        drawing = burin.draw(mesh_scene(), view="top", paper=self.SQUARE, style="engraving", tone=stripes)
         ink = {True: 0.0, False: 0.0}
         for s in self.strokes(drawing):
             lengths = np.linalg.norm(np.diff(s.points, axis=0), axis=1)
             width = np.broadcast_to(s.width, len(s))
             for x, area in zip(s.points3[:-1, 0], lengths * (width[:-1] + width[1:]) / 2):
                 ink[bool(x < 5)] += area
-        dark = ink[True] / (95 * 190)
+        dark = ink[True] / (self.SIDE**2 / 2)
         self.assertGreater(dark, 0.45)
         self.assertLess(ink[False], 0.02 * ink[True])
 
     def test_dark_and_light(self):
         areas = []
         for darkness in (0.2, 0.5):
-            drawing = burin.draw(mesh_scene(), view="top", style="engraving", tone=lambda p, n: np.full(len(p), darkness))
+            drawing = burin.draw(mesh_scene(), view="top", paper=self.SQUARE, style="engraving", tone=lambda p, n: np.full(len(p), darkness))
             areas.append(
                 sum(
                     np.sum(np.linalg.norm(np.diff(s.points, axis=0), axis=1)) * np.mean(s.width)
                     for s in self.strokes(drawing)
                 )
-                / 190**2
+                / self.SIDE**2
             )
         self.assertAlmostEqual(areas[0], 0.2, delta=0.05)
         self.assertAlmostEqual(areas[1], 0.5, delta=0.1)
@@ -614,7 +619,7 @@ class FieldAndTone(unittest.TestCase):
             return positions[:, [1, 2, 0]]
 
         one, two = (
-            burin.draw(mesh_scene(sphere), style="engraving", tone=tone, field=field, threads=n).to_bytes("json")
+            burin.draw(mesh_scene(sphere), style="engraving", paper="A6", tone=tone, field=field, threads=n).to_bytes("json")
             for n in (1, 4)
         )
         self.assertEqual(one, two)

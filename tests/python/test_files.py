@@ -16,7 +16,7 @@ class Save(unittest.TestCase):
     def setUpClass(cls):
         scene = burin.Scene()
         scene.add_mesh(*cube(), "cube", assembly=["top"], color="#ffcc00")
-        cls.drawing = burin.draw(scene, style="engraving", hidden="dashed")
+        cls.drawing = burin.draw(scene, style="engraving", paper="A6", hidden="dashed")
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

@@ -38,7 +38,7 @@ class Progress(unittest.TestCase):
             self.assertEqual(threading.get_ident(), thread)
             told.append((stage, share))
 
-        burin.draw(scene, style="engraving", progress=progress)
+        burin.draw(scene, style="engraving", paper="A6", progress=progress)
         self.assertTrue(told)
         self.assertTrue(all(isinstance(stage, str) and 0 <= share <= 1 for stage, share in told))
         order = "read build curvature field cover trace features visibility compose".split()
@@ -165,7 +165,7 @@ class Gil(unittest.TestCase):
         thread = threading.Thread(target=tick)
         thread.start()
         start = time.monotonic()
-        burin.draw(scene, style="engraving")
+        burin.draw(scene, style="engraving", paper="A5")
         seconds = time.monotonic() - start
         stop.set()
         thread.join()
@@ -181,7 +181,7 @@ class Gil(unittest.TestCase):
             return np.clip(positions[:, 2] / 20 + 0.5, 0, 1)
 
         def work(view):
-            return burin.draw(scene, view=view, style="engraving", tone=tone).to_bytes("json")
+            return burin.draw(scene, view=view, style="engraving", paper="A6", tone=tone).to_bytes("json")
 
         views = ["front", "top", "iso"]
         alone = [work(view) for view in views]
@@ -207,10 +207,10 @@ class Gil(unittest.TestCase):
 
         def tone(positions, normals):
             if not drawn:
-                drawn.append(burin.draw(inner, style="engraving"))
+                drawn.append(burin.draw(inner, style="engraving", paper="A6"))
             return np.full(len(positions), 0.3)
 
-        burin.draw(inner, tone=tone)
+        burin.draw(inner, paper="A6", tone=tone)
         self.assertEqual(len(drawn), 1)
 
 

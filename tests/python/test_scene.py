@@ -398,7 +398,7 @@ class Parts(unittest.TestCase):
         back = scene.add_mesh(vertices + [2, 20, 2], triangles, "back")
 
         def parts_drawn(**options):
-            return set(burin.draw(scene, view="front", **options).arrays()["part"].tolist())
+            return set(burin.draw(scene, view="front", paper="A6", **options).arrays()["part"].tolist())
 
         self.assertEqual((back.drawn, back.hatched, back.transparent, back.listed, back.style), (True, True, False, True, None))
         self.assertEqual(parts_drawn(), {0, 1})
