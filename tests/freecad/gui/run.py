@@ -70,7 +70,7 @@ def main():
                        LC_ALL="C.UTF-8",
                        # The processor paints the 3-D view, in the thread that waits for it: other tests have the other processors.
                        # Its buffers of some MB are kept, for the system would clear their pages for each frame.
-                       LP_NUM_THREADS="0", MALLOC_MMAP_THRESHOLD_=str(256 << 20), MALLOC_TRIM_THRESHOLD_=str(512 << 20),
+                       LP_NUM_THREADS=os.environ.get("LP_NUM_THREADS", "0"), MALLOC_MMAP_THRESHOLD_=str(256 << 20), MALLOC_TRIM_THRESHOLD_=str(512 << 20),
                        QT_X11_NO_MITSHM="1")  # Qt 5.15 may wait for ever for Xvfb's word on shared memory
     environment.pop("PYTHONPATH", None)
     if kernel != "none":
