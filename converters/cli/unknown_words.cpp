@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace burin::cli {
 namespace {
@@ -171,7 +172,8 @@ void refuse_loose_values(int argc, const char* const* argv) {
   for (int i = 2; i < argc; ++i) {
     const std::string word = argv[i], before = argv[i - 1];
     if (word == "--") return;  // names of files follow
-    if (word.starts_with('-') || std::filesystem::exists(word)) continue;
+    std::error_code error;     // of names that are too long for a file
+    if (word.starts_with('-') || std::filesystem::exists(word, error)) continue;
     if (const std::string key = key_instead(before, word); !key.empty()) {
       throw UsageError(fmt::format("option {} takes no value, not '{}': {}", before, word, key));
     }

@@ -63,7 +63,7 @@ std::string hint_of_alpha(std::string_view text) {
   if (text.size() != kWithAlpha || !rgb_of(text.substr(0, kLength)) ||
       !rgb_of("#0000" + std::string(text.substr(kLength))))
     return {};
-  return fmt::format("; a colour has no alpha: write {}, and fill.opacity says how opaque it is",
+  return fmt::format("; a colour has no alpha: write {}, and set the opacity by fill.opacity",
                      text.substr(0, kLength));
 }
 

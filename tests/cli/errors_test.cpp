@@ -349,7 +349,7 @@ TEST_F(CliErrors, ValuesBesideTheirOptionSayWhereTheyBelong) {
   expect_failure(draw + "--highlight box red @/box.off", 2, "--highlight 'box=red'");
   expect_failure(draw + "--highlight=box #ff0000 @/box.off", 2, "--highlight 'box=#ff0000'");
   expect_failure(draw + "@/box.off --highlight box=#ff000080", 2,
-                 "a colour has no alpha: write #ff0000, and fill.opacity says");
+                 "a colour has no alpha: write #ff0000, and set the opacity by fill.opacity");
   expect_failure(draw + "@/box.off --set fill.color=#ff000080", 2, "a colour has no alpha");
   // A file of that name is a file.
   expect_failure(draw + "--legend nothing.off", 3, "nothing.off: there is no such file");
