@@ -25,8 +25,8 @@ constexpr double kStored = 4;
 // Of what triangles are off: depths so near each other are one. More would widen the line in which
 // a ball touches its pipe. Slanted planes are farther off their surface, by the tangent's square.
 constexpr double kFlush = 2e-3;
-// The same of meshes, where corners' normals say how the surface bends between them: facets of up
-// to 15 degrees are within 4 % of it.
+// The same of meshes, where corners' normals say how the surface bends between them: facets of 15
+// degrees beside such of 9 are within it.
 constexpr double kFlushOfMesh = 0.05;
 
 // Where a mesh's surface is over a place of a triangle: half-way to the mean of the tangent planes
