@@ -244,7 +244,11 @@ std::string of_switch(const CLI::ConversionError& e) {
   const auto known = std::ranges::find_if(all, [&](const RequestOption& one) {
     return called(one.option.name, Spelling::Options) == option;
   });
-  return fmt::format("{} takes no value, not '{}' ({})", option, what.substr(at + between.size()),
+  const std::string word(what.substr(at + between.size()));
+  const std::string key =
+      known == all.end() ? "" : key_instead(spelled(known->option.name, Spelling::Options), word);
+  if (!key.empty()) return fmt::format("{} takes no value, not '{}': {}", option, word, key);
+  return fmt::format("{} takes no value, not '{}' ({})", option, word,
                      known == all.end() ? "see burin --help" : "it is to " + known->option.meaning);
 }
 
@@ -312,6 +316,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
     return a;
   }
   refuse_extras(*chosen, "burin " + chosen->get_name());
+  refuse_loose_values(argc, argv);
   refuse_extras(app, "burin");
   if (chosen == watch) a.draw.command = "watch";
   if (!a.options.manual.empty() || !a.options.completion.empty()) {

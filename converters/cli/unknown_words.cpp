@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/request.h>
 #include <burin/converters/unknown.h>
+#include <burin/drawing/color.h>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace burin::cli {
 namespace {
@@ -147,6 +149,40 @@ void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv)
     if (!word.starts_with('-') || word.find('=') != word.size() - 1) continue;
     const std::string name = word.substr(0, word.size() - 1);
     if (std::ranges::find(names, name) != names.end()) refuse_empty(name, "");
+  }
+}
+
+std::string key_instead(const std::string& option, const std::string& word) {
+  const std::vector<RequestOption>& all = all_options();
+  const auto request = std::ranges::find_if(all, [&](const RequestOption& one) {
+    return spelled(one.option.name, Spelling::Options) == option &&
+           std::holds_alternative<Switch>(one.option.takes);
+  });
+  if (request == all.end()) return {};
+  for (const StyleKey& key : style_keys(builtin_style("technical"))) {
+    const auto* list = std::get_if<WordList>(&key.takes);
+    if (!list || !key.name.ends_with("." + request->option.name)) continue;
+    if (std::ranges::find(list->words, word) == list->words.end()) continue;
+    return fmt::format("write {} --set {}={}", option, key.name, word);
+  }
+  return {};
+}
+
+void refuse_loose_values(int argc, const char* const* argv) {
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    if (word == "--") return;  // names of files follow
+    std::error_code error;     // of names that are too long for a file
+    if (word.starts_with('-') || std::filesystem::exists(word, error)) continue;
+    if (const std::string key = key_instead(before, word); !key.empty()) {
+      throw UsageError(fmt::format("option {} takes no value, not '{}': {}", before, word, key));
+    }
+    const std::string highlight = "--highlight";
+    const bool in_two = argv[i - 2] == highlight, in_one = before.starts_with(highlight + "=");
+    if ((!in_one && !in_two) || !rgb_of(without_name(word))) continue;
+    throw UsageError(
+        fmt::format("'{0}' is no model: a colour belongs to the value of {1}, as {1} '{2}={0}'",
+                    word, highlight, in_two ? before : before.substr(highlight.size() + 1)));
   }
 }
 

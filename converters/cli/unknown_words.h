@@ -12,6 +12,14 @@ namespace burin::cli {
 /// Throws UsageError.
 void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv);
 
+/// What a switch is told that is given a value, "--legend top-left": the style key of its name that
+/// takes the word, as "write --legend --set callout.legend=top-left"; empty: no key does.
+std::string key_instead(const std::string& option, const std::string& word);
+
+/// A word after an option that is no file, and a value of what the option is about: "--legend
+/// top-left", "--highlight lid red". CLI11 takes it for a model. Throws UsageError.
+void refuse_loose_values(int argc, const char* const* argv);
+
 /// Throws UsageError for the first word that no option or argument took, naming the nearest.
 void refuse_extras(const CLI::App& app, const std::string& command);
 

@@ -3,6 +3,8 @@
 
 #include <burin/converters/request.h>
 
+#include "style_files.h"
+
 #include <string>
 #include <vector>
 
@@ -14,7 +16,7 @@ struct Draft {
   /// Those of the plan, whose styles start from its own.
   std::vector<LookRequest> looks{};
   /// The style as its name or file has it.
-  Style named{};
+  LoadedStyle named{};
   std::string style_text, style_source;
 };
 

@@ -80,9 +80,16 @@ void set_highlights(Draft& draft, const Asked& asked) {
   const Style& whole = draft.plan.style;
   draft.looks.push_back({.look = {.select = {"*"}, .hatched = false},
                          .style_text = in_background(whole),
-                         .style_source = "highlight"});
+                         .style_source = "highlight",
+                         .is_made = true});
   for (const std::string& text : asked.texts) {
     const std::size_t equals = text.rfind('=');
+    if (const std::string alpha = hint_of_alpha(text.substr(equals + 1));
+        equals != std::string::npos && !text.starts_with('@') && !alpha.empty()) {
+      throw UsageError(fmt::format("{} takes NAME=COLOUR, not '{}'{} in a style file, as of {}",
+                                   asked.spelled, text, alpha,
+                                   asked.spelled.starts_with("--") ? "--look" : "look"));
+    }
     const bool is_selector =
         equals == std::string::npos || (text.starts_with('@') && text.find('=') == equals);
     const std::string called = is_selector ? std::string() : text.substr(equals + 1);
@@ -97,7 +104,8 @@ void set_highlights(Draft& draft, const Asked& asked) {
                                     .highlight = true,
                                     .asked = fmt::format("{} '{}'", asked.spelled, text)},
                            .style_text = highlighted(whole, called),
-                           .style_source = "highlight"});
+                           .style_source = "highlight",
+                           .is_made = true});
   }
 }
 

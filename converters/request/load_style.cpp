@@ -13,11 +13,14 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
-namespace detail {
+namespace {
 
+/// The text of the file that a style is named by; nothing for a built-in one. Throws MissingFile,
+/// InputError.
 std::optional<std::string> text_of_style(const std::string& name) {
   const auto builtin = builtin_styles();
   if (std::ranges::find(builtin, name, &StyleInfo::name) != builtin.end()) return std::nullopt;
@@ -34,6 +37,10 @@ std::optional<std::string> text_of_style(const std::string& name) {
   return text;
 }
 
+}  // namespace
+
+namespace detail {
+
 bool is_said_opaque(const std::string& style_text) {
   const auto style = nlohmann::json::parse(style_text, nullptr, false, true);
   const auto is_one = [](const nlohmann::json& value) {
@@ -48,17 +55,18 @@ bool is_said_opaque(const std::string& style_text) {
          is_one(style["fill"]["opacity"]);
 }
 
-Style read_style(const std::string& text, const std::string& file, const Style* whole) {
-  Style style = parse_style(text, file, whole ? *whole : builtin_style("technical"), whole);
-  find_named_files(style, std::filesystem::path(file).parent_path());
-  return style;
+LoadedStyle load_with_text(const std::string& name, const Style* whole) {
+  const auto text = text_of_style(name);
+  if (!text) return {builtin_style(name)};
+  Style style = parse_style(*text, name, whole ? *whole : builtin_style("technical"), whole);
+  find_named_files(style, std::filesystem::path(name).parent_path());
+  return {std::move(style), *text, name};
 }
 
 }  // namespace detail
 
 Style load_style(const std::string& name, const Style* whole) {
-  const auto text = detail::text_of_style(name);
-  return text ? detail::read_style(*text, name, whole) : builtin_style(name);
+  return detail::load_with_text(name, whole).style;
 }
 
 }  // namespace burin

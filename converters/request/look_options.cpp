@@ -128,9 +128,10 @@ std::vector<RequestRow<Draft>> look_option_rows() {
         .python = "str | PathLike[str] | Mapping[str, Any]",
         .also = {"theme", "preset", "mode", "render style", "shading", "technique", "template"}},
        [](Draft& d, const Asked& a) {
-         d.named = d.style_text.empty() ? load_style(a.text())
-                                        : style_of_text(d.style_text, d.style_source);
-         d.plan.style = d.named;
+         d.named = d.style_text.empty() ? load_with_text(a.text())
+                                        : LoadedStyle{style_of_text(d.style_text, d.style_source),
+                                                      d.style_text, d.style_source};
+         d.plan.style = d.named.style;
        }},
       {{.option = {.name = "light",
                    .meaning = "direction to the light: right, up, towards the viewer (default: "

@@ -5,6 +5,8 @@
 #include <burin/converters/request.h>
 #include <burin/illustrate/unused_keys.h>
 
+#include "style_files.h"
+
 #include <vector>
 
 namespace burin::detail {
@@ -16,6 +18,14 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
 /// With its style, whose pictures are read, in the light that is asked for. Throws UsageError that
 /// names the look.
 Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& plan);
+
+/// What is asked for beside what the style that was named has.
+std::vector<AskedKey> asked_keys(const DrawRequest& request, const Style& named,
+                                 const DrawPlan& plan);
+
+/// The keys of a text that starts from `start`, but for those that other options changed in the
+/// style as it is used.
+WrittenKeys written_in(const LoadedStyle& read, const Style& start, const Style& used);
 
 /// Keys that are asked for and change nothing of the drawing whose parts are arranged.
 Diagnostics unused_keys(const DrawPlan& plan, const KeySurroundings& around);

@@ -20,47 +20,16 @@
 namespace burin {
 namespace {
 
-/// Whether both styles have the same value.
-bool has_same(std::string_view key, const Style& a, const Style& b) {
-  const auto value = [&](const Style& style) {
-    const std::vector<StyleKey> keys = style_keys(style);
-    const auto found = std::ranges::find(keys, key, &StyleKey::name);
-    return found == keys.end() ? std::nullopt : std::optional(found->value);
-  };
-  const auto of_a = value(a);
-  return of_a && of_a == value(b);
-}
-
-/// What is asked for beside what the style that was named has.
-std::vector<AskedKey> asked_keys(const DrawRequest& r, const Style& named, const DrawPlan& plan) {
-  std::vector<AskedKey> keys;
-  if (r.has("light") && plan.style.tone.light != named.tone.light) {
-    keys.push_back({called("light", plan.spelling), "tone.light"});
-  }
-  for (const std::string& key : plan.style_keys) {
-    if (!has_same(key, plan.style, named)) keys.push_back({"style key " + key, key});
-  }
-  return keys;
-}
-
-struct LookStyle {
-  Style style;
-  /// Its text says so itself.
-  bool is_opaque = false;
-};
-
 /// The style of a look; nothing where it has none. What it says of files is ignored.
-std::optional<LookStyle> style_of(const LookRequest& look, const Style& whole) {
+std::optional<detail::LoadedStyle> style_of(const LookRequest& look, const Style& whole) {
   if (!look.style_text.empty()) {
     Style style = parse_style(look.style_text, look.style_source, whole, &whole);
     detail::find_named_files(style, std::filesystem::path(look.style_source).parent_path());
-    return LookStyle{std::move(style), detail::is_said_opaque(look.style_text)};
+    return detail::LoadedStyle{std::move(style), look.style_text, look.style_source};
   }
   if (look.style.empty()) return std::nullopt;
   try {
-    const auto text = detail::text_of_style(look.style);
-    if (!text) return LookStyle{builtin_style(look.style)};
-    return LookStyle{detail::read_style(*text, look.style, &whole), detail::is_said_opaque(*text)};
+    return detail::load_with_text(look.style, &whole);
   } catch (const UsageError& e) {
     throw UsageError(look.look.place + e.what());
   }
@@ -127,16 +96,6 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
 
 namespace detail {
 
-Diagnostics unused_keys(const DrawPlan& plan, const KeySurroundings& around) {
-  Diagnostics notes;
-  for (const auto& [called, key] : plan.asked_keys) {
-    const std::string why = why_unused(key, plan.style, plan.illustrate.part_styles, around);
-    if (why.empty()) continue;
-    notes.add(Severity::Warning, "option.unused", 1, called + " has no effect" + why);
-  }
-  return notes;
-}
-
 Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   Diagnostics notes;
   const auto has = [&](const char* name) { return !given_texts(options, name).empty(); };
@@ -180,10 +139,14 @@ Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& pla
   Look look = asked.look;
   auto own = style_of(asked, plan.style);
   if (!own) return look;
-  look.style = std::move(own->style);
-  if (own->is_opaque) leave_glass(look);
+  look.style = own->style;
+  if (!own->text.empty() && is_said_opaque(own->text)) leave_glass(look);
   read_images(*look.style, plan.illustrate.images);
   follow_whole(request, plan, *look.style);
+  if (!own->text.empty() && !asked.is_made) {
+    plan.written_keys.push_back(written_in(*own, plan.style, *look.style));
+    plan.written_keys.back().of_parts = look.style;
+  }
   return look;
 }
 
@@ -211,7 +174,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   draft.looks = request.looks;
   apply(draw_rows(), request.options, spelling, draft);
   plan.finds_view = !request.has("view") && plan.views.empty();
-  leave_out_ground(draft.named, plan);
+  leave_out_ground(draft.named.style, plan);
   check_style(plan.style);
   read_images(plan.style, plan.illustrate.images);
   for (const LookRequest& look : draft.looks) plan.looks.push_back(look_of(look, request, plan));
@@ -220,7 +183,10 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
     if (part.style) follow_whole(request, plan, *part.style);
   }
   plan.read = make_read_options(request.options, spelling);
-  plan.asked_keys = asked_keys(request, draft.named, plan);
+  plan.asked_keys = asked_keys(request, draft.named.style, plan);
+  if (!draft.named.text.empty()) {
+    plan.written_keys.push_back(written_in(draft.named, builtin_style("technical"), plan.style));
+  }
   plan.notes = unused_choices(request.options, plan);
   return std::move(draft.plan);
 }

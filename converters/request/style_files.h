@@ -3,17 +3,21 @@
 
 #include <burin/illustrate/style.h>
 
-#include <optional>
 #include <string>
 
 namespace burin::detail {
 
-/// The text of the file that a style is named by; nothing for a built-in one. Throws MissingFile,
-/// InputError.
-std::optional<std::string> text_of_style(const std::string& name);
+/// A style as its name or its text has it.
+struct LoadedStyle {
+  Style style{};
+  /// Empty: a built-in one.
+  std::string text = {};
+  /// The file of the text; empty: a program made it.
+  std::string source = {};
+};
 
-/// The style in the text of a file; `whole` as `load_style` takes it. Throws as `parse_style` does.
-Style read_style(const std::string& text, const std::string& file, const Style* whole);
+/// As `load_style`.
+LoadedStyle load_with_text(const std::string& name, const Style* whole = nullptr);
 
 /// Whether the text of a style, which `parse_style` takes, says itself that fills are opaque: such
 /// parts are not of glass. That its "base" has such fills says nothing.

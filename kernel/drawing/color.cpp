@@ -58,6 +58,15 @@ std::string without_name(std::string_view text) {
   return rgb_of(whole) ? whole : std::string(text);
 }
 
+std::string hint_of_alpha(std::string_view text) {
+  constexpr std::size_t kLength = 7, kWithAlpha = 9;
+  if (text.size() != kWithAlpha || !rgb_of(text.substr(0, kLength)) ||
+      !rgb_of("#0000" + std::string(text.substr(kLength))))
+    return {};
+  return fmt::format("; a colour has no alpha: write {}, and set the opacity by fill.opacity",
+                     text.substr(0, kLength));
+}
+
 bool is_grey(const Rgb& color) { return color[0] == color[1] && color[1] == color[2]; }
 
 std::string fault_of_ink(std::string_view name) {

@@ -1,6 +1,7 @@
 #include "exact_places.h"
 
 #include <burin/illustrate/view_probe.h>
+#include <burin/mesh/chord_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,30 @@ constexpr int kMostBehind = 4;
 // Cosine to a ray under which the way from a triangle to its surface is not followed: along the
 // surface it would be long.
 constexpr double kGrazing = 0.05;
-// Of the diagonal: places so near each other are one.
-constexpr double kSamePlace = 1e-9;
+// Of the diagonal: places so near each other are one, for the occluder too. More would lose what
+// lies right behind, where planes of two files cross in their rounding.
+constexpr double kSamePlace = 1e-10;
+// Multiples of the occluder's resolution: coordinates that went through single precision (STL) once
+// in each part.
+constexpr double kStored = 4;
 // Of what triangles are off: depths so near each other are one. More would widen the line in which
 // a ball touches its pipe. Slanted planes are farther off their surface, by the tangent's square.
 constexpr double kFlush = 2e-3;
+// The same of meshes, where corners' normals say how the surface bends between them: facets of 15
+// degrees beside such of 9 are within it.
+constexpr double kFlushOfMesh = 0.05;
+
+// Where a mesh's surface is over a place of a triangle: half-way to the mean of the tangent planes
+// at its corners, which a parabola over each edge is. @cite Boubekeur2008
+Vec3 rounded(const ProxyMesh& proxy, std::uint32_t face, Vec3 bary, Vec3 position) {
+  Vec3 off(0);
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t w = proxy.wedges[face][static_cast<std::size_t>(i)];
+    const Vec3& normal = proxy.wedge_normal[w];
+    off -= 0.5 * bary[i] * glm::dot(position - proxy.wedge_position(w), normal) * normal;
+  }
+  return position + off;
+}
 
 }  // namespace
 
@@ -32,15 +52,24 @@ ExactAt exact_places(const Surface& surface) {
 }
 
 ExactDepths::ExactDepths(const Occluders& occluders)
-    : proxies_(occluders.solid_proxies()), ranks_(occluders.ranks()) {
+    : proxies_(occluders.solid_proxies()),
+      ranks_(occluders.ranks()),
+      untold_(kStored * occluders.solid().resolution()) {
   for (const auto& surface : occluders.surfaces()) {
     places_.push_back(surface ? exact_places(*surface) : ExactAt{});
   }
-  for (const ProxyMesh* proxy : proxies_) most_off_ = std::max(most_off_, proxy->tolerance);
+  if (!needed()) return;
+  for (std::size_t i = 0; i < proxies_.size(); ++i) {
+    const auto part = static_cast<std::int32_t>(i);
+    const std::size_t faces = places_[i] ? 1 : proxies_[i]->mesh.triangles.size();
+    for (std::uint32_t f = 0; f < faces; ++f) most_off_ = std::max(most_off_, off({part, f}));
+  }
 }
 
-double ExactDepths::off(std::int32_t part) const {
-  return proxies_[static_cast<std::size_t>(part)]->tolerance;
+double ExactDepths::off(FaceRef where) const {
+  const auto part = static_cast<std::size_t>(where.part);
+  const ProxyMesh& proxy = *proxies_[part];
+  return places_[part] ? proxy.tolerance : chord_error(proxy, where.face);
 }
 
 double ExactDepths::cosine(FaceRef where, Vec3 direction) const {
@@ -49,12 +78,15 @@ double ExactDepths::cosine(FaceRef where, Vec3 direction) const {
 }
 
 double ExactDepths::reach(FaceRef where, Vec3 direction) const {
-  return (off(where.part) + most_off_) / cosine(where, direction);
+  return (off(where) + most_off_ + 2 * untold_) / cosine(where, direction);
 }
 
-double ExactDepths::flush(FaceRef where, Vec3 direction) const {
-  const double slant = cosine(where, direction);
-  return kFlush * reach(where, direction) / (slant * slant);
+double ExactDepths::flush(FaceRef a, FaceRef b, Vec3 direction) const {
+  const auto share = [&](FaceRef of) {
+    return places_[static_cast<std::size_t>(of.part)] ? kFlush : kFlushOfMesh;
+  };
+  const double slant = cosine(a, direction);
+  return untold_ / slant + (share(a) * off(a) + share(b) * off(b)) / (slant * slant * slant);
 }
 
 bool ExactDepths::precedes(std::int32_t part, std::int32_t other) const {
@@ -65,16 +97,24 @@ bool ExactDepths::precedes(std::int32_t part, std::int32_t other) const {
   return rank(part) != rank(other) ? rank(part) > rank(other) : part < other;
 }
 
+ExactPlace ExactDepths::place(FaceRef where, Vec3 bary) const {
+  const auto part = static_cast<std::size_t>(where.part);
+  if (places_[part]) return places_[part](where.face, bary);
+  const ProxyMesh& proxy = *proxies_[part];
+  const Vec3 position = proxy.position(where.face, bary);
+  return {rounded(proxy, where.face, bary, position), proxy.normal(where.face, bary)};
+}
+
 double ExactDepths::depth(FaceRef where, Vec3 bary, Vec3 position, Vec3 origin,
                           Vec3 direction) const {
   const double flat = glm::dot(position - origin, direction);
-  const ExactAt& exact = places(where.part);
-  if (!exact) return flat;
-  const ExactPlace place = exact(where.face, bary);
-  const double cosine = glm::dot(place.normal, direction);
+  const double error = off(where);
+  if (error == 0) return flat;
+  const ExactPlace exact = place(where, bary);
+  const double cosine = glm::dot(exact.normal, direction);
   if (std::abs(cosine) < kGrazing) return flat;
-  const double farther = glm::dot(place.position - position, place.normal) / cosine;
-  const double most = off(where.part) / kGrazing;
+  const double farther = glm::dot(exact.position - position, exact.normal) / cosine;
+  const double most = error / kGrazing;
   return flat + std::clamp(farther, -most, most);
 }
 
@@ -89,8 +129,8 @@ ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths
     const Vec3 origin = first->position, view = -camera.to_viewer(origin);
     const FaceRef where{first->part, first->point.face};
     const double reach = depths.reach(where, view), step = kSamePlace * solid.diagonal();
-    const double flush = step + depths.flush(where, view);
     ViewHit best = *first;
+    FaceRef nearest = where;
     std::optional<double> least;
     double from = 0;
     for (int i = 0; i < kMostBehind && from + step < reach; ++i) {
@@ -101,8 +141,10 @@ ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths
       if (!least) least = depths.depth(where, first->point.bary, origin, origin, view);
       const Vec3 position = origin + hit->distance * view;
       const double there = depths.depth(hit->where, hit->bary, position, origin, view);
-      const bool on_each_other = std::abs(there - *least) < flush;
+      const bool on_each_other =
+          std::abs(there - *least) < step + depths.flush(nearest, hit->where, view);
       if (on_each_other ? !depths.precedes(hit->where.part, best.part) : there > *least) continue;
+      nearest = hit->where;
       best.part = hit->where.part;
       best.point = {hit->where.face, hit->bary};
       best.position = position;

@@ -18,23 +18,22 @@ namespace burin::detail {
 /// know as much.
 ExactAt exact_places(const Surface& surface);
 
-/// Where rays meet the surfaces of solid parts themselves. Triangles of two exact surfaces may lie
-/// before each other in turn where these touch, as a ball and the pipe that it closes, or lie on
-/// each other.
+/// Where rays meet the surfaces of solid parts themselves; of meshes, what the normals at their
+/// corners say of these. Triangles of two surfaces may lie before each other in turn where these
+/// touch, as a ball and the pipe that it closes, or lie on each other.
 class ExactDepths {
  public:
-  /// The parts must outlive this.
+  /// The parts must outlive this. Cost: a pass over the triangles of meshes.
   explicit ExactDepths(const Occluders& occluders);
 
   /// Whether surfaces and triangles of different parts may lie behind each other in another order.
-  bool needed() const { return proxies_.size() > 1 && most_off_ > 0; }
-  /// The places of a part; nothing where it is not exact.
-  const ExactAt& places(std::int32_t part) const { return places_[static_cast<std::size_t>(part)]; }
+  bool needed() const { return proxies_.size() > 1; }
   /// Model mm along a ray from a place of a part within which they may.
   double reach(FaceRef where, Vec3 direction) const;
-  /// Model mm along a ray by which depths are not told apart: surfaces that lie on each other, as
-  /// two cylinders of one radius and axis, have the same but for what tangent planes are off.
-  double flush(FaceRef where, Vec3 direction) const;
+  /// Model mm along a ray by which depths of two places are not told apart: surfaces that lie on
+  /// each other, as two cylinders of one radius and axis, have the same but for what tangent planes
+  /// are off, and for the rounding of files.
+  double flush(FaceRef a, FaceRef b, Vec3 direction) const;
   /// Whether the first of two parts is seen where they lie on each other.
   bool precedes(std::int32_t part, std::int32_t other) const;
   /// Model mm from an origin along a ray to where it meets the surface of a place that its triangle
@@ -42,13 +41,14 @@ class ExactDepths {
   double depth(FaceRef where, Vec3 bary, Vec3 position, Vec3 origin, Vec3 direction) const;
 
  private:
-  double off(std::int32_t part) const;
+  double off(FaceRef where) const;
   double cosine(FaceRef where, Vec3 direction) const;
+  ExactPlace place(FaceRef where, Vec3 bary) const;
 
   std::span<const ProxyMesh* const> proxies_;
   const std::vector<double>& ranks_;
   std::vector<ExactAt> places_;
-  double most_off_ = 0;
+  double most_off_ = 0, untold_ = 0;
 };
 
 /// What the viewer sees of the solid parts: where triangles of several lie as near, the part whose

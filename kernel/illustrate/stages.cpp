@@ -190,7 +190,8 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     std::vector<Curve3> features =
         extract_features(proxies, view.camera, view.features, said, context,
                          {view.occluders->transparent(), view.occluders->ranks()});
-    for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
+    for (Curve3& line :
+         hatch_cuts(proxies, view.camera, context, view.magnified, view.occluders->ranks())) {
       features.push_back(std::move(line));
     }
     std::ranges::move(

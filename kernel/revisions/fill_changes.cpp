@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace burin::detail {
 namespace {
@@ -27,11 +28,21 @@ class Painted {
         areas_(drawing.areas, kStep),
         paper_(rgb_of(drawing.paper_color).value_or(Rgb{255, 255, 255})) {}
 
+  struct Layer {
+    std::string fill;
+    double opacity = 1;
+    InkTint ink = {};
+    std::int32_t part = -1;
+    bool paints_as(const Layer& other) const {
+      return fill == other.fill && opacity == other.opacity && ink == other.ink;
+    }
+  };
   struct Seen {
     /// Empty: nothing is painted.
     std::string color;
-    std::int32_t part = -1;
     InkTint ink = {};
+    /// What is seen, glass over what stands behind it.
+    std::vector<Layer> layers = {};
     bool looks_as(const Seen& other) const { return color == other.color && ink == other.ink; }
   };
   Seen at(Vec2 p) const {
@@ -42,7 +53,10 @@ class Painted {
       const auto fill = is_painted(area) ? rgb_of(area.fill) : std::nullopt;
       if (!fill) continue;
       color = over(*fill, area.opacity, color);
-      seen = {to_text(color), area.part, {area.ink, area.ink.empty() ? 1 : area.tint}};
+      seen.color = to_text(color);
+      seen.ink = {area.ink, area.ink.empty() ? 1 : area.tint};
+      if (area.opacity >= 1) seen.layers.clear();
+      seen.layers.push_back({area.fill, area.opacity, seen.ink, area.part});
     }
     return seen;
   }
@@ -53,7 +67,12 @@ class Painted {
     }
     return true;
   }
-  std::string part(std::int32_t id) const { return part_name(drawing_, id); }
+  /// The part of that layer from above; the last where there are fewer; empty: none.
+  std::string part(const Seen& seen, std::size_t layer) const {
+    if (seen.layers.empty()) return {};
+    const std::size_t last = seen.layers.size() - 1;
+    return part_name(drawing_, seen.layers[last - std::min(layer, last)].part);
+  }
 
  private:
   const Drawing& drawing_;
@@ -70,6 +89,14 @@ Box2 painted_box(const Drawing& drawing) {
     }
   }
   return box;
+}
+
+/// How many layers are the same from above: behind glass that has not changed is what has.
+std::size_t same_layers(const Painted::Seen& a, const Painted::Seen& b) {
+  const std::size_t most = std::min(a.layers.size(), b.layers.size());
+  std::size_t same = 0;
+  while (same < most && a.layers.rbegin()[same].paints_as(b.layers.rbegin()[same])) ++same;
+  return same;
 }
 
 }  // namespace
@@ -94,7 +121,9 @@ std::vector<ChangedFill> compare_fills(const Drawing& before, const Drawing& aft
       const Painted::Seen a = was.at(p), b = is.at(p);
       if (a.looks_as(b)) continue;
       if (!was.even(p, tolerance, a) || !is.even(p, tolerance, b)) continue;
-      const std::string part = b.color.empty() ? was.part(a.part) : is.part(b.part);
+      const std::size_t same = same_layers(a, b);
+      const bool gone = b.layers.size() <= same && a.layers.size() > same;
+      const std::string part = gone ? was.part(a, same) : is.part(b, same);
       ChangedFill& fill = found[{part, a.color, b.color, a.ink, b.ink}];
       if (fill.size == 0) fill = {part, a.color, b.color, a.ink, b.ink, 0, p};
       fill.size += kStep * kStep;

@@ -19,6 +19,33 @@ double distance_to(Vec2 p, const std::array<Vec2, 2>& segment) {
   return glm::distance(p, segment[0] + t * e);
 }
 
+double turn(Vec2 a, Vec2 b, Vec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool cross(const std::array<Vec2, 2>& s, const std::array<Vec2, 2>& t) {
+  return turn(s[0], s[1], t[0]) * turn(s[0], s[1], t[1]) < 0 &&
+         turn(t[0], t[1], s[0]) * turn(t[0], t[1], s[1]) < 0;
+}
+
+bool holds(const Area& area, Vec2 p) {
+  return std::ranges::any_of(area.triangles, [&](const auto& t) {
+    const double a = turn(t[0], t[1], p), b = turn(t[1], t[2], p), c = turn(t[2], t[0], p);
+    return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
+  });
+}
+
+/// Whether the outline of one begins within the other: with no outlines that cross, one piece lies
+/// in the other.
+bool begins_in(const Area& inner, const Area& outer) {
+  std::set<std::int32_t> seen;
+  for (std::size_t i = 0; i < inner.outline.size(); ++i) {
+    if (!seen.insert(inner.outline_regions[i]).second) continue;
+    if (holds(outer, inner.outline[i][0])) return true;
+  }
+  return false;
+}
+
 Area new_area(std::int32_t part, const ProxyMesh& proxy, std::uint32_t face) {
   Area area{.part = part};
   area.normal = proxy.mesh.normal(face);
@@ -61,19 +88,23 @@ std::vector<Area> areas_of(const ProxyMesh& proxy, std::int32_t part) {
   return out;
 }
 
-bool neighbours(const Area& a, const Area& b, double near) {
+bool in_one_plane(const Area& a, const Area& b, double near) {
   constexpr double kSamePlane = 1e-9;
-  if (glm::dot(a.normal, b.normal) < 1 - kSamePlane) return false;
-  if (std::abs(a.offset - b.offset) > near) return false;
+  return glm::dot(a.normal, b.normal) >= 1 - kSamePlane && std::abs(a.offset - b.offset) <= near;
+}
+
+bool neighbours(const Area& a, const Area& b, double near) {
+  if (!in_one_plane(a, b, near)) return false;
   Box2 wide = a.box;
   wide.min -= Vec2(near), wide.max += Vec2(near);
   if (!wide.overlaps(b.box)) return false;
   if (a.outline.size() * b.outline.size() > kMostPairs) return true;
-  return std::ranges::any_of(a.outline, [&](const auto& s) {
+  const bool meet = std::ranges::any_of(a.outline, [&](const auto& s) {
     return std::ranges::any_of(b.outline, [&](const auto& t) {
-      return distance_to(s[0], t) <= near || distance_to(t[0], s) <= near;
+      return distance_to(s[0], t) <= near || distance_to(t[0], s) <= near || cross(s, t);
     });
   });
+  return meet || begins_in(a, b) || begins_in(b, a);
 }
 
 double scale_of(const Area& area, const Camera& camera) {

@@ -31,7 +31,10 @@ struct Area {
 
 /// The areas of a part, in the order of their planes.
 std::vector<Area> areas_of(const ProxyMesh& proxy, std::int32_t part);
-/// Whether two areas lie in one plane and come nearer to each other than `near`, in model mm.
+/// Whether they lie in one plane, up to so many model mm.
+bool in_one_plane(const Area& a, const Area& b, double near);
+/// Whether two areas lie in one plane and overlap or come nearer to each other than `near`, in
+/// model mm.
 bool neighbours(const Area& a, const Area& b, double near);
 /// Paper mm for a model mm in the middle of it.
 double scale_of(const Area& area, const Camera& camera);
@@ -41,10 +44,12 @@ bool edge_on(const Area& area, const Camera& camera);
 /// each by itself.
 std::vector<Area> take_narrow(Area& area, double width);
 
-/// What lines keep clear of: pieces of an outline, by so many model mm.
+/// What lines keep clear of: pieces of an outline, by so many model mm; and areas in the same
+/// plane.
 struct Clearance {
   std::vector<std::array<Vec2, 2>> outline = {};
   double width = 0;
+  std::vector<const Area*> areas = {};
 };
 /// Lines over an area at an angle (degrees from its horizontal), `spacing` (model mm) apart, on a
 /// lattice that is fixed in the model.

@@ -131,14 +131,42 @@ double main_angle(const Area& area) {
   return std::atan2(sum[most].y, sum[most].x) * 180 / std::numbers::pi;
 }
 
+/// The areas that show instead of an area where both overlap.
+class Owners {
+ public:
+  Owners(const std::vector<Area>& all, std::span<const double> ranks) : all_(all), ranks_(ranks) {}
+
+  std::vector<const Area*> over(const Area& area) const {
+    constexpr double kSamePlane = 1e-9;  // of the area
+    std::vector<const Area*> out;
+    for (const Area& other : all_) {
+      if (!precedes(other.part, area.part) || !other.box.overlaps(area.box)) continue;
+      if (in_one_plane(area, other, kSamePlane * area.box.diagonal())) out.push_back(&other);
+    }
+    return out;
+  }
+
+ private:
+  double rank(std::int32_t part) const {
+    const auto i = static_cast<std::size_t>(part);
+    return i < ranks_.size() ? ranks_[i] : 0;
+  }
+  bool precedes(std::int32_t a, std::int32_t b) const {
+    return rank(a) != rank(b) ? rank(a) > rank(b) : a < b;
+  }
+
+  const std::vector<Area>& all_;
+  std::span<const double> ranks_;
+};
+
 /// Areas too narrow for a hatching are black; between two of them it stays white.
-void fill(const std::vector<Area>& narrow, const Camera& camera, std::vector<Curve3>& out,
-          const RunContext& context) {
+void fill(const std::vector<Area>& narrow, const Owners& owners, const Camera& camera,
+          std::vector<Curve3>& out, const RunContext& context) {
   for (std::size_t i = 0; i < narrow.size(); ++i) {
     context.check();
     const Area& area = narrow[i];
     const double scale = scale_of(area, camera);
-    Clearance clear{.width = kHalfGap / scale};
+    Clearance clear{.width = kHalfGap / scale, .areas = owners.over(area)};
     for (std::size_t j = 0; j < narrow.size(); ++j) {
       if (narrow[j].part == area.part || !neighbours(area, narrow[j], clear.width)) continue;
       clear.outline.insert(clear.outline.end(), narrow[j].outline.begin(), narrow[j].outline.end());
@@ -150,7 +178,8 @@ void fill(const std::vector<Area>& narrow, const Camera& camera, std::vector<Cur
 }  // namespace
 
 std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                               const RunContext& context, double magnified) {
+                               const RunContext& context, double magnified,
+                               std::span<const double> ranks) {
   std::vector<Area> areas, narrow;
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     if (proxies[i]->cut_plane.empty()) continue;
@@ -160,15 +189,18 @@ std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const 
   }
   choose_angles(areas, camera, magnified);
   share_sizes(areas);
+  const std::vector<Area> all = areas;
+  const Owners owners(all, ranks);
   std::vector<Curve3> out;
   for (Area& area : areas) {
     context.check();
     for (Area& piece : take_narrow(area, kNarrow / scale_of(area, camera))) {
       narrow.push_back(std::move(piece));
     }
-    hatch_lines(area, area.angle, spacing_of(area, camera, magnified), {}, out);
+    hatch_lines(area, area.angle, spacing_of(area, camera, magnified), {.areas = owners.over(area)},
+                out);
   }
-  fill(narrow, camera, out, context);
+  fill(narrow, owners, camera, out, context);
   return out;
 }
 

@@ -68,27 +68,76 @@ std::optional<Interval> near_segment(Vec2 p, Vec2 q, double width) {
   return Interval{low, high};
 }
 
-/// What is left of an interval of a line.
-std::vector<Interval> clear_of(const Clearance& clear, Vec2 along, Vec2 across, double at,
-                               Interval whole) {
-  std::vector<Interval> near;
-  for (const auto& [p, q] : clear.outline) {
-    const Vec2 a(glm::dot(along, p), glm::dot(across, p) - at),
-        b(glm::dot(along, q), glm::dot(across, q) - at);
-    if (const auto interval = near_segment(a, b, clear.width)) near.push_back(*interval);
+struct Lattice {
+  Vec2 along, across;
+  double step;
+
+  Vec2 flat(Vec2 p, double at) const { return {glm::dot(along, p), glm::dot(across, p) - at}; }
+};
+using Lines = std::map<std::int64_t, std::vector<Run>>;
+
+/// Of each line of a lattice that runs over an area, its runs over the triangles.
+Lines lines_over(const Area& area, const Lattice& lattice) {
+  Lines lines;
+  for (std::size_t i = 0; i < area.triangles.size(); ++i) {
+    double low = glm::dot(lattice.across, area.triangles[i][0]), high = low;
+    for (const Vec2& p : area.triangles[i]) {
+      const double at = glm::dot(lattice.across, p);
+      low = std::min(low, at), high = std::max(high, at);
+    }
+    for (auto k = static_cast<std::int64_t>(std::ceil(low / lattice.step));
+         static_cast<double>(k) * lattice.step <= high; ++k) {
+      const Run run = over_triangle(area.triangles[i], lattice.along, lattice.across,
+                                    static_cast<double>(k) * lattice.step, area.faces[i]);
+      if (run.to > run.from) lines[k].push_back(run);
+    }
   }
-  std::ranges::sort(near);
-  std::vector<Interval> left;
-  double from = whole.first;
-  for (const auto& [low, high] : near) {
-    if (low > from) left.push_back({from, std::min(low, whole.second)});
-    from = std::max(from, high);
-    if (from >= whole.second) break;
-  }
-  if (from < whole.second) left.push_back({from, whole.second});
-  std::erase_if(left, [](const Interval& i) { return !(i.second > i.first); });
-  return left;
+  return lines;
 }
+
+/// What a line keeps clear of.
+class Kept {
+ public:
+  Kept(const Clearance& clear, const Lattice& lattice) : clear_(clear), lattice_(lattice) {
+    for (const Area* area : clear.areas) lines_.push_back(lines_over(*area, lattice));
+  }
+
+  /// What is left of an interval of line `k`.
+  std::vector<Interval> left(std::int64_t k, Interval whole, double least) const {
+    std::vector<Interval> near = taken(k);
+    std::ranges::sort(near);
+    std::vector<Interval> left;
+    double from = whole.first;
+    for (const auto& [low, high] : near) {
+      if (low > from) left.push_back({from, std::min(low, whole.second)});
+      from = std::max(from, high);
+      if (from >= whole.second) break;
+    }
+    if (from < whole.second) left.push_back({from, whole.second});
+    std::erase_if(left, [&](const Interval& i) { return !(i.second - i.first > least); });
+    return left;
+  }
+
+ private:
+  std::vector<Interval> taken(std::int64_t k) const {
+    std::vector<Interval> taken;
+    const double at = static_cast<double>(k) * lattice_.step;
+    for (const auto& [p, q] : clear_.outline) {
+      const auto near = near_segment(lattice_.flat(p, at), lattice_.flat(q, at), clear_.width);
+      if (near) taken.push_back(*near);
+    }
+    for (const Lines& lines : lines_) {
+      const auto runs = lines.find(k);
+      if (runs == lines.end()) continue;
+      for (const Run& run : runs->second) taken.push_back({run.from, run.to});
+    }
+    return taken;
+  }
+
+  const Clearance& clear_;
+  const Lattice& lattice_;
+  std::vector<Lines> lines_;
+};
 
 }  // namespace
 
@@ -96,23 +145,12 @@ void hatch_lines(const Area& area, double degrees, double spacing, const Clearan
                  std::vector<Curve3>& out) {
   const double angle = degrees * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
-  const double step = std::max(spacing, area.box.diagonal() / kMostLines);
-  std::map<std::int64_t, std::vector<Run>> lines;
-  for (std::size_t i = 0; i < area.triangles.size(); ++i) {
-    double low = glm::dot(across, area.triangles[i][0]), high = low;
-    for (const Vec2& p : area.triangles[i]) {
-      low = std::min(low, glm::dot(across, p)), high = std::max(high, glm::dot(across, p));
-    }
-    for (auto k = static_cast<std::int64_t>(std::ceil(low / step));
-         static_cast<double>(k) * step <= high; ++k) {
-      const Run run = over_triangle(area.triangles[i], along, across, static_cast<double>(k) * step,
-                                    area.faces[i]);
-      if (run.to > run.from) lines[k].push_back(run);
-    }
-  }
+  const Lattice lattice{along, across, std::max(spacing, area.box.diagonal() / kMostLines)};
+  const Kept kept(clear, lattice);
+  Lines lines = lines_over(area, lattice);
   const double joined = kJoined * area.box.diagonal();
   const auto point = [&](std::int64_t k, double t) {
-    const Vec2 p = t * along + static_cast<double>(k) * step * across;
+    const Vec2 p = t * along + static_cast<double>(k) * lattice.step * across;
     return p.x * area.u + p.y * area.v + area.offset * area.normal;
   };
   for (auto& [k, runs] : lines) {
@@ -122,8 +160,8 @@ void hatch_lines(const Area& area, double degrees, double spacing, const Clearan
       double to = runs[i].to;
       while (j < runs.size() && runs[j].from <= to + joined) to = std::max(to, runs[j++].to);
       const std::uint32_t face = runs[i].face;
-      for (const auto& [a, b] :
-           clear_of(clear, along, across, static_cast<double>(k) * step, {runs[i].from, to})) {
+      const double least = clear.areas.empty() ? 0 : joined;
+      for (const auto& [a, b] : kept.left(k, {runs[i].from, to}, least)) {
         Curve3 curve;
         curve.kind = LineClass::Pattern;
         curve.source.part = area.part;

@@ -37,7 +37,7 @@ class Finder {
     const Vec3 normal = normalize_or(curve_.normals[segment] + curve_.normals[next], Vec3(0));
     hits_.clear();
     probe_.occluder().occluded_by(a, d / length, 0, length, [&](const Hit& hit) {
-      if (transversal(hit, normal)) hits_.push_back(hit);
+      if (transversal(hit, normal) && !ends_at_cut(hit, a, normal)) hits_.push_back(hit);
       return false;
     });
     // They come in the order of the tree, which differs between processors.
@@ -50,6 +50,17 @@ class Finder {
   bool transversal(const Hit& hit, Vec3 normal) const {
     const Vec3 n = probe_.proxy(hit.where.part)->normal(hit.where.face, hit.bary);
     return glm::length(glm::cross(n, normal)) > kTransversal;
+  }
+
+  /// Whether it is a wall of a part that the plane of a hatching cuts, too: what of it was before
+  /// the plane is gone, and the rest hides nothing there.
+  bool ends_at_cut(const Hit& hit, Vec3 on_plane, Vec3 normal) const {
+    if (curve_.kind != LineClass::Pattern) return false;
+    const TriMesh& mesh = probe_.proxy(hit.where.part)->mesh;
+    const double untold = kOnPlane * probe_.occluder().resolution();
+    return std::ranges::all_of(mesh.triangles[hit.where.face], [&](std::uint32_t corner) {
+      return glm::dot(mesh.positions[corner] - on_plane, normal) <= untold;
+    });
   }
 
   void add(std::size_t segment, const Hit& hit, double share) {

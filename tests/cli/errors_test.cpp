@@ -36,7 +36,7 @@ TEST_F(CliErrors, UsageNamesTheNearest) {
   expect_failure(draw + "--view perspective", 2, "asked for by --perspective");
   expect_failure(draw + "--views front,isometric", 2, "the nearest is 'iso'");
   expect_failure(draw + "--legend=top-left", 2, "--legend takes no value, not 'top-left'");
-  EXPECT_NE(err_.find("where: style key callout.legend"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("--set callout.legend=top-left"), std::string::npos) << err_;
   expect_failure(draw + "--look box=line.color=red", 2, "{\"line.color\": \"red\"}");
 }
 
@@ -299,7 +299,9 @@ TEST_F(CliErrors, OptionsOfOtherProgramsAreUnderstood) {
       {"--resolution 300", "--set png.dpi=VALUE"},
       {"--line-width 1", "--set line.outer=VALUE"},
       {"--stroke-width 1", "--set line.outer=VALUE"},
-      {"--color red", "--set line.color=VALUE"},
+      {"--color red", "style key fill.color"},
+      {"--colours", "--style flat"},
+      {"--palette bright", "--style flat"},
       {"--background white", "--set sheet.paper=VALUE"},
       {"--shadows", "--set tone.shadow=VALUE"},
       {"--no-hatching", "--set hatch.enabled=VALUE"},
@@ -335,6 +337,22 @@ TEST_F(CliErrors, NothingIsSuggestedWhereNothingIsNear) {
   expect_failure("draw @/box.off -o @/a.svg --set foo.bar=1", 2,
                  "unknown style key 'foo.bar' (all: burin styles --keys)");
   expect_failure("draw @/box.off -o @/a.svg --style xyzzy", 2, "unknown style 'xyzzy' (built in: ");
+}
+
+TEST_F(CliErrors, ValuesBesideTheirOptionSayWhereTheyBelong) {
+  const std::string draw = "draw -o @/a.svg ";
+  const std::string corner = ": write --legend --set callout.legend=top-left";
+  expect_failure(draw + "--legend top-left @/box.off", 2,
+                 "takes no value, not 'top-left'" + corner);
+  expect_failure(draw + "--legend=top-left @/box.off", 2,
+                 "takes no value, not 'top-left'" + corner);
+  expect_failure(draw + "--highlight box red @/box.off", 2, "--highlight 'box=red'");
+  expect_failure(draw + "--highlight=box #ff0000 @/box.off", 2, "--highlight 'box=#ff0000'");
+  expect_failure(draw + "@/box.off --highlight box=#ff000080", 2,
+                 "a colour has no alpha: write #ff0000, and set the opacity by fill.opacity");
+  expect_failure(draw + "@/box.off --set fill.color=#ff000080", 2, "a colour has no alpha");
+  // A file of that name is a file.
+  expect_failure(draw + "--legend nothing.off", 3, "nothing.off: there is no such file");
 }
 
 TEST_F(CliErrors, WordsThatBelongElsewhereSayWhere) {

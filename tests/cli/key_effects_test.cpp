@@ -3,6 +3,7 @@
 
 #include "models.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <map>
@@ -115,6 +116,44 @@ TEST_F(KeyEffects, TheReasonSaysWhatToDo) {
   EXPECT_EQ(warnings("--style outline --set fill.color=none"), "");
   EXPECT_EQ(warnings("--style outline --set fill.color=part --set fill.opacity=0.5"), "");
   EXPECT_EQ(warnings("--style outline --look ball=flat --set fill.hatch=lines"), "");
+}
+
+TEST_F(KeyEffects, KeysOfStyleFilesAreToldToo) {
+  const auto of = [&](const std::string& keys, const std::string& why) {
+    return fmt::format("burin: warning: {}/own.json: style {} no effect{}\n", folder_.path(), keys,
+                       why);
+  };
+  const std::string nothing_to_hatch = ": fill.hatch is none (fill.hatch=lines hatches areas)";
+  folder_.write("own.json",
+                R"({"base": "flat", "fill": {"hatch_angle": 30, "tint": 0.4}, "line.outer": 0.8,)"
+                R"( "fill.hatch_distance": 2, "fill.hatch_width": 0.13})");
+  const std::string said =
+      of("keys fill.hatch_angle, fill.hatch_distance have", nothing_to_hatch) +
+      of("key fill.tint has", ": it is for a spot ink, and fill.ink names none");
+  EXPECT_EQ(warnings("--style @/own.json"), said);
+  EXPECT_EQ(warnings("--look ball=@/own.json"), said);
+  // What options change is theirs to tell; a style of parts may use the drawing's keys.
+  EXPECT_EQ(
+      warnings(
+          "--style @/own.json --set fill.hatch=cross --set fill.ink=blue --set fill.color=#3b7dd8"),
+      "");
+  folder_.write("hatched.json",
+                R"({"fill.hatch": "lines", "fill.ink": "blue", "fill.color": "#3b7dd8"})");
+  EXPECT_EQ(warnings("--style @/own.json --look ball=@/hatched.json"), "");
+  // A file is for many drawings: with and without a legend, glass, a ground that is seen.
+  folder_.write("own.json", R"({"base": "flat", "fill.legend": false, "shadow.ground": true})");
+  EXPECT_EQ(warnings("--style @/own.json --view bottom --ghost ball --ghost base"), "");
+  folder_.write(
+      "own.json",
+      R"({"strokes": [{"taper": 0.7}, {"taper": 0.6, "enabled": false}], "hatch.enabled": false})");
+  EXPECT_NE(warnings("--style @/own.json").find("own.json: style keys"), std::string::npos) << err_;
+}
+
+TEST_F(KeyEffects, TextsOfBuiltInStylesAskNothing) {
+  for (const StyleInfo& style : builtin_styles()) {
+    folder_.write("own.json", style_to_json(builtin_style(style.name)));
+    EXPECT_EQ(warnings("--style @/own.json"), "") << style.name;
+  }
 }
 
 TEST_F(KeyEffects, HighlightsOfWhichNothingIsLeftAreTold) {

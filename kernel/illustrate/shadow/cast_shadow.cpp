@@ -246,7 +246,7 @@ bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const View
     if (hit.where.part == where.part) return true;
     const double own = depths.depth(where, at.point.bary, at.position, from, to_light);
     return depths.depth(hit.where, hit.bary, from + hit.distance * to_light, from, to_light) >
-           own + step + depths.flush(where, to_light);
+           own + step + depths.flush(where, hit.where, to_light);
   });
 }
 

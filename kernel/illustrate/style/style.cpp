@@ -109,8 +109,10 @@ std::optional<std::string> first_fault(const Style& style) {
   std::vector<KnownWord> known;
   for (const std::string& word : words) known.push_back({word});
   for (const std::string& name : color_names()) known.push_back({name});
+  const std::string alpha = hint_of_alpha(color);
   throw UsageError(fmt::format("style key '{}' takes a colour #rrggbb, {}{}, not '{}'{}", key,
-                               fmt::join(color_names(), ", "), others, color, hint(color, known)));
+                               fmt::join(color_names(), ", "), others, color,
+                               alpha.empty() ? hint(color, known) : alpha));
 }
 
 /// `nothing`: how the error names it that there may be none; empty: there must be a colour.

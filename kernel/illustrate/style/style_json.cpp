@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/illustrate/style.h>
+#include <burin/illustrate/unused_keys.h>
 #include <burin/options/json_lines.h>
 
 #include "style_table.h"
@@ -181,6 +182,44 @@ Style parse_style(std::string_view json, const std::string& source, const Style&
     throw UsageError(fmt::format("{}: {}", source, e.what()));
   }
   return style;
+}
+
+namespace {
+
+/// Adds the keys of an object, and of those in it as one group.
+void add_keys(const Json& json, const std::string& before, std::vector<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    if (key == "kind" || (before.empty() && (key == "base" || key == "name" || key == "strokes")))
+      continue;
+    if (value.is_object()) {
+      add_keys(value, before + key + ".", keys);
+    } else {
+      keys.push_back(detail::row_of_key(before + key));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> keys_written(std::string_view json, const std::string& source,
+                                      const Style& start) {
+  const Json parsed = parse(json, source);
+  const Style style = parse_style(json, source, start);
+  std::vector<std::string> keys;
+  add_keys(parsed, "", keys);
+  const Json kinds = parsed.value("strokes", Json::array());
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    add_keys(kinds[i], fmt::format("strokes.{}.", i + 1), keys);
+  const Style base = parsed.contains("base") ? builtin_style(to_text(parsed["base"])) : start;
+  const auto rows = detail::all_rows_of(style);
+  std::erase_if(keys, [&](const std::string& key) {
+    const auto row = std::ranges::find(rows, key, &detail::StyleRow::name);
+    if (row == rows.end()) return true;
+    const auto kind = detail::kind_key(key);
+    const bool has_kind = !kind || kind->number <= stroke_kind_count(base);
+    return has_kind && row->get(style) == row->get(base);
+  });
+  return keys;
 }
 
 std::string style_to_json(const Style& style) {

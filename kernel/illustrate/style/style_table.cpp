@@ -347,6 +347,12 @@ std::optional<KindKey> kind_key(std::string_view key) {
   return KindKey{static_cast<std::size_t>(number.front() - '0'), std::string(rest.substr(dot + 1))};
 }
 
+std::string row_of_key(std::string_view key) {
+  const auto kind = kind_key(key);
+  if (!kind || kind->number > 1) return std::string(key);
+  return kind->name.starts_with("tone.") ? kind->name : "hatch." + kind->name;
+}
+
 std::string kind_group(std::size_t number) { return number == 1 ? "hatch." : kind_prefix(number); }
 
 const KindRow& find_kind_row(const std::string& name, std::size_t number) {

@@ -48,6 +48,9 @@ struct KindKey {
 };
 std::optional<KindKey> kind_key(std::string_view key);
 
+/// The name of a key's row: keys of the first kind of strokes have two names.
+std::string row_of_key(std::string_view key);
+
 /// The row of that name. Throws UsageError that names the nearest.
 const StyleRow& find_row(std::string_view name);
 const KindRow& find_kind_row(const std::string& name, std::size_t number);

@@ -13,13 +13,6 @@ namespace {
 
 using detail::KeyPlace;
 
-/// As rows call it: keys of the first kind of strokes have two names.
-std::string row_of_key(std::string_view key) {
-  const auto kind = detail::kind_key(key);
-  if (!kind || kind->number > 1) return std::string(key);
-  return kind->name.starts_with("tone.") ? kind->name : "hatch." + kind->name;
-}
-
 /// The parts that are drawn, those that are drawn alike once; that of the drawing where all are.
 std::vector<KeyPlace> places_of(const Style& whole, std::span<const PartStyle> part_styles,
                                 const KeySurroundings& around, std::size_t kind) {
@@ -37,6 +30,13 @@ std::vector<KeyPlace> places_of(const Style& whole, std::span<const PartStyle> p
   return out;
 }
 
+/// What a key needs first that the part does not have.
+const detail::KeyNeed* lacks(const detail::StyleRow& row, const KeyPlace& place) {
+  const auto need =
+      std::ranges::find_if(row.needs, [&](const auto& one) { return !one.holds(place); });
+  return need == row.needs.end() ? nullptr : &*need;
+}
+
 std::string said(const detail::KeyNeed& need, const KeyPlace& at) {
   const tone::ToneOptions& tone = tone_of(at.part, at.kind);
   return fmt::format(
@@ -49,7 +49,7 @@ std::string said(const detail::KeyNeed& need, const KeyPlace& at) {
 
 std::string why_unused(std::string_view key, const Style& whole,
                        std::span<const PartStyle> part_styles, const KeySurroundings& around) {
-  const std::string name = row_of_key(key);
+  const std::string name = detail::row_of_key(key);
   const std::vector<detail::StyleRow> rows = detail::all_rows_of(whole);
   const auto row = std::ranges::find(rows, name, &detail::StyleRow::name);
   if (row == rows.end()) return {};
@@ -62,16 +62,27 @@ std::string why_unused(std::string_view key, const Style& whole,
     return ": every part has another one, of a style of its own (`highlight`, `look`)";
   }
   // What the part lacks that lacks the least.
-  std::size_t most = 0;
+  const detail::KeyNeed* last = nullptr;
   const KeyPlace* nearest = nullptr;
   for (const KeyPlace& place : places) {
     if (!has_it(place)) continue;
-    std::size_t met = 0;
-    while (met < row->needs.size() && row->needs[met].holds(place)) ++met;
-    if (met == row->needs.size()) return {};
-    if (!nearest || met > most) nearest = &place, most = met;
+    const detail::KeyNeed* lack = lacks(*row, place);
+    if (!lack) return {};
+    if (!nearest || lack > last) nearest = &place, last = lack;  // needs stand in one list
   }
-  return nearest ? said(row->needs[most], *nearest) : std::string();
+  return nearest ? said(*last, *nearest) : std::string();
+}
+
+std::string why_unused_in_parts(std::string_view key, const Style& part, const Style& whole) {
+  const std::string name = detail::row_of_key(key);
+  const std::vector<detail::StyleRow> rows = detail::all_rows_of(part);
+  const auto row = std::ranges::find(rows, name, &detail::StyleRow::name);
+  if (row == rows.end() || row->of_whole) return {};
+  const auto kind = detail::kind_key(name);
+  const KeySurroundings around{.legend = true};
+  const KeyPlace place{whole, part, true, false, around, kind ? kind->number : 1};
+  const detail::KeyNeed* lack = lacks(*row, place);
+  return lack ? said(*lack, place) : std::string();
 }
 
 }  // namespace burin

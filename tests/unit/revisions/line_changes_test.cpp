@@ -216,6 +216,31 @@ TEST(LineChanges, AnotherColourOfAPart) {
   EXPECT_LT(d.fills[0].at.x, 60);
 }
 
+/// What has changed behind glass is the part there, not the glass.
+TEST(LineChanges, AnotherColourBehindGlass) {
+  const auto behind_glass = [](const char* color, const char* glass) {
+    Drawing d = painted(color);
+    DrawingPart pane;
+    pane.id = 7;
+    pane.name = "pane";
+    d.parts.push_back(pane);
+    d.areas.push_back({.part = 7,
+                       .fill = glass,
+                       .opacity = 0.25,
+                       .rings = {{{50, 50}, {70, 50}, {70, 70}, {50, 70}}}});
+    return d;
+  };
+  const LineDifference d =
+      compared(behind_glass("#80a0c0", "#ffffff"), behind_glass("#ff0000", "#ffffff"));
+  ASSERT_EQ(d.fills.size(), 1U);
+  EXPECT_EQ(d.fills[0].part, "block");
+  EXPECT_NEAR(d.fills[0].size, 200, 15);
+  const LineDifference pane =
+      compared(behind_glass("#80a0c0", "#ffffff"), behind_glass("#80a0c0", "#00ff00"));
+  ASSERT_FALSE(pane.fills.empty());
+  EXPECT_EQ(pane.fills[0].part, "pane");
+}
+
 TEST(LineChanges, AnotherToneAndAnotherOpacityOfAPart) {
   const LineDifference tone = compared(painted("#80a0c0", 60), painted("#80a0c0", 65));
   ASSERT_EQ(tone.fills.size(), 1U);

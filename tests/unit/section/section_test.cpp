@@ -303,7 +303,7 @@ TEST(Section, StrokesStayOffTheCut) {
 /// The lines over cut areas of these parts, by part.
 std::map<std::int32_t, std::vector<Curve3>> hatched(
     const std::vector<std::shared_ptr<const Form>>& forms, const Camera& camera,
-    double magnified = 1) {
+    double magnified = 1, const std::vector<double>& ranks = {}) {
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<const ProxyMesh*> proxies;
   for (const auto& form : forms) {
@@ -311,7 +311,7 @@ std::map<std::int32_t, std::vector<Curve3>> hatched(
     proxies.push_back(&surfaces.back()->proxy());
   }
   std::map<std::int32_t, std::vector<Curve3>> out;
-  for (Curve3& line : hatch_cuts(proxies, camera, RunContext(), magnified)) {
+  for (Curve3& line : hatch_cuts(proxies, camera, RunContext(), magnified, ranks)) {
     out[line.source.part].push_back(std::move(line));
   }
   return out;
@@ -396,6 +396,75 @@ TEST(HatchedCuts, OfPartsThatTouchDiffer) {
   EXPECT_NEAR(angle_of(lines[1][0]), 135, 1e-9);
   EXPECT_NEAR(angle_of(lines[2][0]), 45, 1e-9);
   EXPECT_NEAR(angle_of(lines[3][0]), 45, 1e-9);
+}
+
+/// The least and the largest x of lines.
+std::pair<double, double> reach(const std::vector<Curve3>& lines) {
+  std::pair out{1e300, -1e300};
+  for (const Curve3& line : lines) {
+    for (const Vec3& p : line.points) {
+      out = {std::min(out.first, p.x), std::max(out.second, p.x)};
+    }
+  }
+  return out;
+}
+
+TEST(HatchedCuts, OfPartsThatOverlapOneIsHatchedThere) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const auto box = [&](double x0, double x1, double half) {
+    return cut_form(mesh(test::box({x0, -5, -half}, {x1, 5, half})), plane, 0, "");
+  };
+  // They cross, and no corner of one lies in the other.
+  const std::vector<std::shared_ptr<const Form>> forms{box(0, 20, 10), box(15, 30, 8)};
+  const auto first = hatched(forms, from_front(2));
+  EXPECT_NEAR(reach(first.at(0)).second, 20, 1e-9);
+  EXPECT_NEAR(reach(first.at(1)).first, 20, 1e-9);
+  EXPECT_NEAR(reach(first.at(1)).second, 30, 1e-9);
+  EXPECT_NE(angle_of(first.at(0)[0]), angle_of(first.at(1)[0]));
+  const auto second = hatched(forms, from_front(2), 1, {0, 1});
+  for (const Curve3& line : second.at(0)) {
+    const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
+    EXPECT_FALSE(middle.x > 15 && std::abs(middle.z) < 8);
+  }
+  EXPECT_NEAR(reach(second.at(1)).first, 15, 1e-9);
+  // One within the other, far from its outline.
+  const auto inner = hatched({box(0, 30, 15), box(10, 20, 5)}, from_front(1));
+  EXPECT_FALSE(inner.contains(1));
+  const auto filled = hatched({box(0, 30, 15), box(10, 20, 5)}, from_front(1), 1, {0, 1});
+  EXPECT_NE(angle_of(filled.at(0)[0]), angle_of(filled.at(1)[0]));
+  for (const Curve3& line : filled.at(0)) {
+    const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
+    EXPECT_FALSE(middle.x > 10 && middle.x < 20 && std::abs(middle.z) < 5);
+  }
+}
+
+TEST(HatchedCuts, EndAtNoWallThatThePlaneCuts) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  Scene scene;
+  // The wall at x = 19.8 crosses lines of the first part just before their ends.
+  for (const auto& [x0, x1] : {std::pair{0.0, 20.0}, {19.8, 30.0}}) {
+    scene.parts.push_back(
+        {"", "", cut_form(mesh(test::box({x0, -5, -10}, {x1, 5, 10})), plane, 0, "")});
+  }
+  const Camera camera = from_front(3);
+  std::vector<std::shared_ptr<const Form>> forms;
+  for (const Part& part : scene.parts) forms.push_back(part.form);
+  std::map<std::int32_t, double> length, drawn;
+  for (const auto& [part, lines] : hatched(forms, camera)) {
+    for (const Curve3& line : lines) {
+      length[part] += glm::distance(line.points[0], line.points[1]);
+    }
+  }
+  RunContext context;
+  const Drawing drawing = illustrate(scene, camera, builtin_style("outline"), {}, context);
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.kind != LineClass::Pattern) continue;
+      drawn[path.source.part] += glm::distance(path.points3.front(), path.points3.back());
+    }
+  }
+  EXPECT_NEAR(drawn[0], length[0], 1e-3 * length[0]);
+  EXPECT_NEAR(drawn[1], length[1], 1e-3 * length[1]);
 }
 
 TEST(HatchedCuts, AreNotParallelToTheOutline) {

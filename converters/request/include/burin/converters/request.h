@@ -22,6 +22,8 @@ struct LookRequest {
   std::string style = {}, style_text = {};
   /// Whom errors of `style_text` name.
   std::string style_source = {};
+  /// No user wrote the text.
+  bool is_made = false;
 };
 
 /// What a user asks of a drawing.
@@ -55,6 +57,15 @@ struct AskedKey {
   std::string called, key;
 };
 
+/// What the text of a style sets otherwise than the style from which it starts.
+struct WrittenKeys {
+  /// A file; empty: a program made the text.
+  std::string source;
+  std::vector<std::string> keys;
+  /// That of some parts; nothing: of the drawing.
+  std::optional<Style> of_parts = {};
+};
+
 /// Everything but the inputs and outputs themselves.
 struct DrawPlan : Illustration {
   ReadOptions read;
@@ -70,6 +81,7 @@ struct DrawPlan : Illustration {
   std::vector<std::string> style_keys = {};
   /// What was asked for by keys of the style, or stands for them, beside the style that was named.
   std::vector<AskedKey> asked_keys = {};
+  std::vector<WrittenKeys> written_keys = {};
   /// Options that were given and have no effect on any drawing.
   Diagnostics notes = {};
 };

@@ -22,6 +22,9 @@ std::vector<std::string> color_names();
 /// "#rrggbb" for a name of a colour, in letters of any case; any other text as it is.
 std::string without_name(std::string_view text);
 
+/// "; a colour has no alpha ..." for "#rrggbbaa"; empty for other texts.
+std::string hint_of_alpha(std::string_view text);
+
 /// Whether it is black, white or between them.
 bool is_grey(const Rgb& color);
 

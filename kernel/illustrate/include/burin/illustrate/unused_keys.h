@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -24,5 +25,14 @@ struct KeySurroundings {
 /// Keys that are not known: empty. Cost: styles of parts are compared.
 std::string why_unused(std::string_view key, const Style& whole,
                        std::span<const PartStyle> part_styles, const KeySurroundings& around);
+
+/// The same of a key in the style of some parts, whatever parts, view and legend a drawing has.
+/// Keys that hold for the whole drawing: empty.
+std::string why_unused_in_parts(std::string_view key, const Style& part, const Style& whole);
+
+/// The keys that the text of a style, which `parse_style` takes, sets to other values than its
+/// "base" has, without one than `start` has: as `style_keys` names them, in the order of the text.
+std::vector<std::string> keys_written(std::string_view json, const std::string& source,
+                                      const Style& start);
 
 }  // namespace burin

@@ -19,8 +19,11 @@ namespace burin {
 /// All areas of a part in one plane share a lattice that is fixed in the model, so that two views
 /// agree. `magnified`: how many times as large as another view of the same parts this one is, a
 /// detail: it has the angles of that view and its lines, and others half-way between them where
-/// they are more than 3.5 mm apart. Cost: the triangles times the lines over each. @cite ISO128
+/// they are more than 3.5 mm apart. `ranks`, one a part or none: where areas of two parts overlap
+/// that of the higher rank is hatched, of equal ones that of the first part. Cost: the triangles
+/// times the lines over each. @cite ISO128
 std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                               const RunContext& context, double magnified = 1);
+                               const RunContext& context, double magnified = 1,
+                               std::span<const double> ranks = {});
 
 }  // namespace burin
