@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,9 @@ namespace {
 /// What is asked for that is about one drawing, as `with_spelling` takes it.
 std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
   std::vector<std::string> out;
+  const bool own_view = std::ranges::any_of(plan.sections, &Section::own_view);
   for (const auto& [asked, name] : {std::pair(!plan.views.empty(), "`views`"),
+                                    {own_view, "`section_view`"},
                                     {!plan.details.empty(), "`detail`"},
                                     {plan.legend, "`legend`"},
                                     {!plan.parts_list_files.empty(), "`parts_list` as a file"},

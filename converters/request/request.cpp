@@ -159,7 +159,8 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect beside {}", called("center", plan.spelling),
                      called("views", plan.spelling)));
   }
-  if (has("projection") && plan.views.empty()) {
+  const bool own_views = std::ranges::any_of(plan.sections, &Section::own_view);
+  if (has("projection") && plan.views.empty() && !own_views) {
     note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
                      called("views", plan.spelling)));
   }

@@ -45,8 +45,9 @@ void report_not_shown(const PlacedView& view, Drawing& drawing) {
       "detail " + view.name + " shows no line of its parts: they are hidden in this view");
 }
 
-Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style,
+Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style& style,
                   const IllustrateOptions& all, RunContext& context, Session& session) {
+  const Scene& scene = view.scene ? *view.scene : whole_scene;
   const IllustrateOptions options = options_of(view, all);
   if (!view.within) return session.draw(scene, view.camera, style, options, context);
   Style whole = style;
@@ -99,6 +100,9 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
     }
   }
   all->views = std::move(views);
+  if (!sheet.section_names.empty()) {
+    lay_sections(*all, sheet.section_marks, sheet.section_names, style.callout);
+  }
   if (!sheet.details.empty()) lay_details(*all, sheet.details, style.callout);
   if (sheet.method) {
     all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));

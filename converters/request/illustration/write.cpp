@@ -68,6 +68,9 @@ Json write_sections(const Request& options) {
     sections.push_back(Json::object());
     sections.back()["plane"] = section;
   }
+  for (const auto given = given_texts(options, "section_view"); const std::string& text : given) {
+    sections.push_back({{"plane", text}, {"view", true}});
+  }
   const auto numbers = [&](const char* option) {
     const std::vector<std::string> texts = given_texts(options, option);
     return texts.empty() ? Json() : Json::parse("[" + texts.back() + "]");

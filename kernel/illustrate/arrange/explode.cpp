@@ -122,6 +122,7 @@ void place_parts(Scene& scene, Illustration& illustration, RunContext& context) 
   cut_parts(scene,
             illustration);  // where they belong: a section does not go through what has come apart
   move_parts(scene, moves);
+  for (const SectionView& view : illustration.section_views) move_parts(*view.scene, moves);
 }
 
 /// Centre lines go beyond the outline, to which a drawing is fitted.

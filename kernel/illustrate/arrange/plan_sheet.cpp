@@ -6,6 +6,7 @@
 
 #include "details.h"
 #include "drawn_shape.h"
+#include "wanted_views.h"
 
 #include <fmt/format.h>
 
@@ -121,17 +122,21 @@ class SheetPlanner {
 
   SheetOfViews run() {
     const Vec2 free = frame_.size();
+    views_ = detail::wanted_views(illustration_);
+    std::vector<std::string> letters;
+    for (const SectionView& view : illustration_.section_views) letters.push_back(view.letter);
     details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_view()),
-                                    std::min(free.x, free.y));
+                                    std::min(free.x, free.y), std::move(letters));
     frame_ = detail::place_details(
         details_, detail_caption(illustration_.style.callout),
         {frame_, inside(illustration_.view.paper, illustration_.sheet.margin), list_, legend_});
     place_views();
     if (!circles_stay()) {
       with_circles_ = true;
-      sheet_.views.clear();
+      sheet_ = {};
       place_views();
     }
+    mark_sections();
     for (const detail::PlannedDetail& detail : details_) add_detail(detail);
     report_small_view();
     return std::move(sheet_);
@@ -140,7 +145,7 @@ class SheetPlanner {
  private:
   /// Of several views the one from above has no shadow on the ground.
   Camera::ExtentFn extent_in_grid(const ViewOptions& view) const {
-    if (illustration_.views.empty()) return extent_of(scene_, illustration_, view);
+    if (views_.empty()) return extent_of(scene_, illustration_, view);
     return extent_with_shadow(scene_,
                               style_in_grid(illustration_.style, glm::normalize(view.direction)),
                               illustration_.illustrate.part_styles, view);
@@ -160,7 +165,7 @@ class SheetPlanner {
   }
 
   void place_views() {
-    if (illustration_.views.empty()) {
+    if (views_.empty()) {
       place_one();
     } else {
       place_grid();
@@ -178,18 +183,20 @@ class SheetPlanner {
     });
   }
 
-  ViewOptions options_of(const std::string& name) const {
-    ViewOptions view = illustration_.view;
-    const NamedView named = view_in_grid(name);
-    view.direction = named.direction;
-    view.up = named.up;
-    view.center.reset();  // each stands in the middle of its box
-    return view;
+  ViewOptions first_view() const {
+    return views_.empty() ? illustration_.view : views_.front().view;
   }
 
-  ViewOptions first_view() const {
-    return illustration_.views.empty() ? illustration_.view
-                                       : options_of(illustration_.views.front());
+  void mark_sections() {
+    for (const SectionView& section : illustration_.section_views) {
+      const auto parent = detail::parent_of(views_, illustration_, section);
+      if (!parent) {
+        detail::report_no_line(scene_, illustration_, section);
+        continue;
+      }
+      sheet_.section_marks.push_back(detail::mark_of(
+          section, scene_, illustration_, views_[*parent].view, sheet_.views[*parent].camera));
+    }
   }
 
   /// A camera whose picture stands in the middle of a box.
@@ -198,6 +205,14 @@ class SheetPlanner {
     view.paper = {box.size().x, box.size().y};
     view.margin = 0;
     return Camera::fit(extent(view), view).on_sheet(sheet, box.min);
+  }
+
+  /// A camera of a given scale whose picture has its middle there.
+  Camera on_middle(ViewOptions view, Vec2 middle) const {
+    const Paper sheet = view.paper;
+    const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
+    view.margin = 0;
+    return Camera::fit(extent(view), view).on_sheet(sheet, middle - half);
   }
 
   void place_one() {
@@ -216,30 +231,40 @@ class SheetPlanner {
     sheet_.symbol_at = frame_.min;
     Box2 frame = frame_;
     frame.min.y += symbol.y + 0.5 * kBetweenViews;
-    std::vector<GridView> views;
+    std::vector<GridView> grid_views;
     const std::size_t numbered = view_with_callouts();
-    for (const std::string& name : illustration_.views) {
-      const ViewOptions options = options_of(name);
-      const Vec3 size = extent(options)(axes_of(in_box(options, frame))).size();
-      GridView view{name, {size.x, size.y}, Vec2(0)};
-      if (views.size() == numbered)
-        view.room = callout_capacity_of(illustration_, 0.5 * frame.size());
-      views.push_back(std::move(view));
+    for (const detail::WantedView& wanted : views_) {
+      const Vec3 size = extent(wanted.view)(axes_of(wanted.view)).size();
+      GridView view{wanted.stands_as, {size.x, size.y}, wanted.room};
+      if (grid_views.size() == numbered) {
+        const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
+        Margin& m = view.room;
+        m = Margin(m.top + callouts.y, m.right + callouts.x, m.bottom + callouts.y,
+                   m.left + callouts.x);
+      }
+      grid_views.push_back(std::move(view));
     }
-    const ViewGrid grid = arrange_views(views, illustration_.projection, frame, kBetweenViews,
+    const ViewGrid grid = arrange_views(grid_views, illustration_.projection, frame, kBetweenViews,
                                         illustration_.view.scale);
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      ViewOptions view = options_of(views[i].name);
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      ViewOptions view = views_[i].view;
       view.scale = grid.scale;
-      sheet_.views.push_back(
-          {views[i].name, in_box(view, grid.boxes[i]), grid.boxes[i], {}, 1, {}, i == numbered});
+      const Vec2 half = 0.5 * grid.scale * grid_views[i].size, middle = grid.middles[i];
+      const Box2 drawn{middle - half, middle + half};
+      PlacedView placed{views_[i].name, on_middle(view, middle), grid.boxes[i]};
+      placed.callouts = i == numbered;
+      if (const SectionView* section = views_[i].section) {
+        placed.scene = section->scene;
+        sheet_.section_names.push_back({drawn, section->letter});
+      }
+      sheet_.views.push_back(std::move(placed));
     }
   }
 
   /// The first pictorial one, which shows most of an assembly; else the first.
   std::size_t view_with_callouts() const {
-    for (std::size_t i = 0; i < illustration_.views.size(); ++i) {
-      const Vec3 d = glm::abs(options_of(illustration_.views[i]).direction);
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      const Vec3 d = glm::abs(views_[i].view.direction);
       if ((d.x > 0) + (d.y > 0) + (d.z > 0) > 1) return i;
     }
     return 0;
@@ -290,6 +315,7 @@ class SheetPlanner {
   std::optional<Box2> list_, legend_;
   bool with_circles_ = false;
   std::vector<detail::PlannedDetail> details_;
+  std::vector<detail::WantedView> views_;
   SheetOfViews sheet_;
 };
 
@@ -303,8 +329,10 @@ Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
 }
 
 SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
-  if (!illustration.views.empty() || !illustration.details.empty())
+  if (!illustration.views.empty() || !illustration.details.empty() ||
+      !illustration.section_views.empty()) {
     return SheetPlanner(scene, illustration).run();
+  }
   SheetOfViews sheet;
   const Camera camera = lone_camera(scene, illustration);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});

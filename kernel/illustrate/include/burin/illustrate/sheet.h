@@ -2,9 +2,12 @@
 /// Several views of a scene on one sheet, and details of them at another scale.
 
 #include <burin/annotate/details.h>
+#include <burin/annotate/sections.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/session.h>
+#include <burin/surface/scene.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +29,8 @@ struct PlacedView {
   std::vector<std::size_t> shows = {};
   /// Whether callouts stand about it, in its box.
   bool callouts = false;
+  /// The parts as this view alone shows them, cut open; null: as all show them.
+  std::shared_ptr<const Scene> scene = {};
 };
 
 struct SheetOfViews {
@@ -33,6 +38,9 @@ struct SheetOfViews {
   std::vector<PlacedView> views;
   /// Circles and letters of those of them that are details.
   std::vector<DetailMark> details = {};
+  /// Where sections that have views of their own cut, and the names of these.
+  std::vector<SectionMark> section_marks = {};
+  std::vector<SectionName> section_names = {};
   /// The symbol of the method, with its bottom left corner there.
   std::optional<ProjectionMethod> method = {};
   Vec2 symbol_at{0};

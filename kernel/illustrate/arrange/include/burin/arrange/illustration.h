@@ -12,7 +12,9 @@
 #include <burin/explode/step.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
+#include <burin/surface/scene.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +69,22 @@ struct DetailView {
   std::string place = {};
 };
 
+/// A view that a section has for itself, as it stands where the section is found.
+struct SectionView {
+  std::string letter;
+  /// To the viewer, across what is cut, unit.
+  Vec3 direction{0};
+  /// Where it cuts, model mm along an axis that `direction` is or is against: once, or in steps.
+  Vec3 axis{0};
+  std::vector<double> faces = {};
+  /// Where each step ends, model mm along another axis, unit; of one plane none.
+  Vec3 across{0};
+  std::vector<double> ends = {};
+  /// The parts cut open, in the order of the others.
+  std::shared_ptr<Scene> scene = {};
+  std::string place = {};
+};
+
 struct Illustration {
   Style style{};
   ViewOptions view{};
@@ -79,6 +97,8 @@ struct Illustration {
   std::vector<std::string> only = {};
   /// At most 16.
   std::vector<Section> sections = {};
+  /// Those of `sections` that have a view of their own: what arranging makes.
+  std::vector<SectionView> section_views = {};
   /// Parts that all sections leave whole; absent: as each says, or by custom.
   std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
