@@ -3,8 +3,6 @@
 #include <burin/drawing/path_data.h>
 #include <burin/drawing/text.h>
 
-#include "font_data.h"
-
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
@@ -19,7 +17,7 @@ namespace {
 /// A letter in units of the font.
 struct Glyph {
   double advance = 0;
-  bool known = false;
+  FT_UInt index = 0;
   std::vector<std::vector<CubicBezier>> chains;
 };
 
@@ -81,7 +79,7 @@ class Font {
 
  private:
   Font() {
-    const auto bytes = font_data();
+    const auto bytes = font_file();
     if (FT_Init_FreeType(&library_) != 0 ||
         FT_New_Memory_Face(library_, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face_) !=
             0) {
@@ -98,9 +96,8 @@ class Font {
   }
 
   void load(char32_t character, Glyph& glyph) {
-    const FT_UInt index = FT_Get_Char_Index(face_, character);
-    glyph.known = index != 0;
-    if (FT_Load_Glyph(face_, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
+    glyph.index = FT_Get_Char_Index(face_, character);
+    if (FT_Load_Glyph(face_, glyph.index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
     glyph.advance = static_cast<double>(face_->glyph->metrics.horiAdvance);
     FT_Outline_Funcs calls{&Tracer::move, &Tracer::line, &Tracer::conic, &Tracer::cubic, 0, 0};
     Tracer tracer{glyph};
@@ -139,7 +136,7 @@ double text_width(std::string_view text, double height) {
 
 std::size_t missing_glyphs(std::string_view text) {
   std::size_t missing = 0;
-  for (const Glyph* glyph : glyphs_of(text)) missing += glyph->known ? 0 : 1;
+  for (const Glyph* glyph : glyphs_of(text)) missing += glyph->index != 0 ? 0 : 1;
   return missing;
 }
 
@@ -157,19 +154,30 @@ std::string fitted_text(std::string_view text, double height, double width) {
   return kept + dots;
 }
 
+std::vector<PlacedLetter> placed_letters(const Text& text) {
+  std::vector<PlacedLetter> letters;
+  const double scale = text.height / Font::get().capital();
+  Vec2 at(start_of(text), text.at.y);
+  for (const char32_t c : code_points(text.text)) {
+    const Glyph& glyph = Font::get().glyph(c);
+    letters.push_back({c, glyph.index, at, scale * glyph.advance});
+    at.x += scale * glyph.advance;
+  }
+  return letters;
+}
+
 Ink text_ink(const Text& text) {
   Ink ink;
   ink.filled = true;
   const double scale = text.height / Font::get().capital();
-  Vec2 at(start_of(text), text.at.y);
-  for (const Glyph* glyph : glyphs_of(text.text)) {
-    for (const auto& chain : glyph->chains) {
+  for (const PlacedLetter& letter : placed_letters(text)) {
+    for (const auto& chain : Font::get().glyph(letter.character).chains) {
       auto& out = ink.chains.emplace_back();
+      const auto placed = [&](Vec2 p) { return letter.at + scale * p; };
       for (const CubicBezier& c : chain) {
-        out.push_back({at + scale * c[0], at + scale * c[1], at + scale * c[2], at + scale * c[3]});
+        out.push_back({placed(c[0]), placed(c[1]), placed(c[2]), placed(c[3])});
       }
     }
-    at.x += scale * glyph->advance;
   }
   return ink;
 }

@@ -7,6 +7,8 @@
 #include <burin/drawing/ink.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,22 @@ std::size_t missing_glyphs(std::string_view text);
 
 /// The text cut at the end, with "...", so that it is no wider; itself where it is not.
 std::string fitted_text(std::string_view text, double height, double width);
+
+/// The font as a TrueType file, for formats that carry fonts. Lives as long as the program.
+std::span<const unsigned char> font_file();
+
+struct PlacedLetter {
+  char32_t character = 0;
+  /// Its number in `font_file`; 0: the box of characters that the font has not.
+  std::uint32_t glyph = 0;
+  /// Paper mm: where it begins on the base line, and how far the next begins from there.
+  Vec2 at{0};
+  double advance = 0;
+};
+
+/// The characters of a text where `text_ink` has their outlines, for formats with fonts. Safe from
+/// many threads.
+std::vector<PlacedLetter> placed_letters(const Text& text);
 
 /// The outlines of a text, filled by the nonzero rule, for formats that have no text of their own.
 /// Safe from many threads. Cost: about a microsecond a letter.
