@@ -57,8 +57,9 @@ void show_letters(cairo_t* pen, const Text& text) {
     clusters.push_back({static_cast<int>(bytes.size()), 1});
   }
   const double size = font_size(text.height);
+  const Vec2 right = size * way_of(text), up(-right.y, right.x);
   cairo_matrix_t upright;  // the pen's y goes up, that of a font down
-  cairo_matrix_init_scale(&upright, size, -size);
+  cairo_matrix_init(&upright, right.x, right.y, -up.x, -up.y, 0, 0);
   cairo_set_font_face(pen, Face::get());
   cairo_set_font_matrix(pen, &upright);
   cairo_show_text_glyphs(pen, utf8.data(), static_cast<int>(utf8.size()), glyphs.data(),

@@ -16,7 +16,7 @@ constexpr double kUnits = 1000;       // a size of the font
 
 /// A letter alone, in units of its font.
 Text alone(char32_t character) {
-  return {Vec2(0), kUnits / font_size(1), TextAnchor::Start, utf8_of(character)};
+  return {Vec2(0), kUnits / font_size(1), TextAnchor::Start, utf8_of(character), {}, 0, 0};
 }
 
 void point(Buffer& out, Vec2 p) {
@@ -86,6 +86,7 @@ std::size_t PdfLetters::place(char32_t character) {
 void PdfLetters::show(const Text& text, Buffer& out) {
   append(out, "BT\n");
   const std::vector<PlacedLetter> letters = placed_letters(text);
+  const Vec2 way = way_of(text);
   for (std::size_t i = 0, end = 0; i < letters.size(); i = end) {
     const std::size_t font = place(letters[i].character) / kInFont;
     std::string codes;
@@ -94,7 +95,8 @@ void PdfLetters::show(const Text& text, Buffer& out) {
       if (at / kInFont != font) break;
       codes += fmt::format("{:02X}", at % kInFont);
     }
-    append(out, fmt::format("/F{} {:.6f} Tf 1 0 0 1 ", font, font_size(text.height)));
+    append(out, fmt::format("/F{} {:.6f} Tf {:.6g} {:.6g} {:.6g} {:.6g} ", font,
+                            font_size(text.height), way.x, way.y, 0 - way.y, way.x));
     point(out, letters[i].at);
     append(out, fmt::format("Tm <{}> Tj\n", codes));
   }

@@ -7,6 +7,10 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "../turned.h"
+
+#include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -118,13 +122,25 @@ std::vector<const Glyph*> glyphs_of(std::string_view text) {
   return glyphs;
 }
 
+/// From its place to where it begins, along the text.
 double start_of(const Text& text) {
-  if (text.anchor == TextAnchor::Start) return text.at.x;
+  if (text.anchor == TextAnchor::Start) return 0;
   const double width = text_width(text.text, text.height);
-  return text.at.x - (text.anchor == TextAnchor::Middle ? 0.5 : 1) * width;
+  return (text.anchor == TextAnchor::Middle ? -0.5 : -1) * width;
 }
 
 }  // namespace
+
+Vec2 way_of(const Text& text) {
+  // Quarter turns are exact, so that their texts are the same on any machine.
+  const double quarters = text.turn / 90;
+  if (quarters == std::round(quarters)) {
+    constexpr std::array<Vec2, 4> kWays{Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
+    return kWays[static_cast<std::size_t>(std::fmod(std::fmod(quarters, 4) + 4, 4))];
+  }
+  const double angle = glm::radians(text.turn);
+  return {std::cos(angle), std::sin(angle)};
+}
 
 double font_size(double height) { return height * Font::get().em() / Font::get().capital(); }
 
@@ -157,11 +173,12 @@ std::string fitted_text(std::string_view text, double height, double width) {
 std::vector<PlacedLetter> placed_letters(const Text& text) {
   std::vector<PlacedLetter> letters;
   const double scale = text.height / Font::get().capital();
-  Vec2 at(start_of(text), text.at.y);
+  const Vec2 way = way_of(text);
+  Vec2 at = text.at + start_of(text) * way;
   for (const char32_t c : code_points(text.text)) {
     const Glyph& glyph = Font::get().glyph(c);
     letters.push_back({c, glyph.index, at, scale * glyph.advance});
-    at.x += scale * glyph.advance;
+    at += scale * glyph.advance * way;
   }
   return letters;
 }
@@ -170,10 +187,11 @@ Ink text_ink(const Text& text) {
   Ink ink;
   ink.filled = true;
   const double scale = text.height / Font::get().capital();
+  const Vec2 right = scale * way_of(text), up = turned_left(right);
   for (const PlacedLetter& letter : placed_letters(text)) {
     for (const auto& chain : Font::get().glyph(letter.character).chains) {
       auto& out = ink.chains.emplace_back();
-      const auto placed = [&](Vec2 p) { return letter.at + scale * p; };
+      const auto placed = [&](Vec2 p) { return letter.at + p.x * right + p.y * up; };
       for (const CubicBezier& c : chain) {
         out.push_back({placed(c[0]), placed(c[1]), placed(c[2]), placed(c[3])});
       }
@@ -192,10 +210,13 @@ std::vector<std::vector<Vec2>> text_outlines(const Text& text, double tolerance)
 
 Box2 text_box(const Text& text) {
   constexpr double kTail = 0.35;
-  const double x = start_of(text);
+  const double from = start_of(text), to = from + text_width(text.text, text.height);
+  const Vec2 right = way_of(text), up = turned_left(right);
   Box2 box;
-  box.add(Vec2(x, text.at.y - kTail * text.height));
-  box.add(Vec2(x + text_width(text.text, text.height), text.at.y + (1 + kTail) * text.height));
+  for (const double x : {from, to}) {
+    for (const double y : {-kTail * text.height, (1 + kTail) * text.height})
+      box.add(text.at + x * right + y * up);
+  }
   return box;
 }
 

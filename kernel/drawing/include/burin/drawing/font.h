@@ -54,8 +54,11 @@ Ink text_ink(const Text& text);
 /// The same as closed polylines within `tolerance` mm, for pens.
 std::vector<std::vector<Vec2>> text_outlines(const Text& text, double tolerance);
 
+/// The way that a text runs on the sheet, unit.
+Vec2 way_of(const Text& text);
+
 /// The box of a text's letters, paper mm: from the base line to the height of capitals, and as much
-/// again below as tails of letters need.
+/// again below as tails of letters need. Of a turned text the box about that.
 Box2 text_box(const Text& text);
 
 }  // namespace burin
