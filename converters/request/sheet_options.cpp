@@ -189,6 +189,19 @@ std::vector<RequestRow<Draft>> view_rows() {
         .also = {"zoom", "magnify", "magnifier", "detail view", "inset", "loupe", "enlarge",
                  "close up"}},
        set_details},
+      {{.option = {.name = "dimensions",
+                   .meaning = "write lengths beside the drawing: overall, width, depth and height "
+                              "along the axes of the model, or none (default none); looks: style "
+                              "keys dimension.*",
+                   .takes = WordList{{"none", "overall"}}},
+        .group = kSheet,
+        .label = "none|overall",
+        .fallback = "none",
+        .also = {"dimension", "measure", "measurements", "size labels", "bounding box dimensions",
+                 "overall dimensions", "lengths"}},
+       [](Draft& d, const Asked& a) {
+         d.plan.overall_dimensions = std::get<std::uint64_t>(a.value) == 1;
+       }},
   };
 }
 

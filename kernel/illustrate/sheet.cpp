@@ -15,6 +15,7 @@ namespace {
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
   IllustrateOptions options = all;
   options.magnified = view.magnified;
+  options.dimensions = view.dimensions;
   if (!options.annotations) return options;
   if (view.within) {
     options.annotations.reset();
@@ -82,8 +83,10 @@ SheetView described(const PlacedView& view, const Drawing& drawing) {
 Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
                    const IllustrateOptions& options, RunContext& context, Session* session) {
   if (sheet.plain()) {
-    return session ? session->draw(scene, sheet.camera(), style, options, context)
-                   : illustrate(scene, sheet.camera(), style, options, context);
+    IllustrateOptions lone = options;
+    lone.dimensions = sheet.views.front().dimensions;
+    return session ? session->draw(scene, sheet.camera(), style, lone, context)
+                   : illustrate(scene, sheet.camera(), style, lone, context);
   }
   Session own;
   Session& kept = session ? *session : own;

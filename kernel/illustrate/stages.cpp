@@ -372,6 +372,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (labels.shadow && !labels.shadow->rings.empty()) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
+  lay_dimensions(drawing, camera, options.dimensions, style.dimension);
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
              context);

@@ -147,6 +147,8 @@ void keep_room_for_centre_lines(Illustration& illustration) {
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
   select_parts(scene, illustration);
   keep_room_for_centre_lines(illustration);
+  if (illustration.overall_dimensions)
+    illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
   number_parts(scene, illustration, context);
   place_parts(scene, illustration, context);
   std::optional<Annotations>& over = illustration.illustrate.annotations;

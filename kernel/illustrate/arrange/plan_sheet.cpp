@@ -6,6 +6,7 @@
 
 #include "details.h"
 #include "drawn_shape.h"
+#include "overall.h"
 #include "wanted_views.h"
 
 #include <fmt/format.h>
@@ -30,8 +31,12 @@ Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration,
   return extent_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, view);
 }
 
+Margin sum(const Margin& a, const Margin& b) {
+  return {a.top + b.top, a.right + b.right, a.bottom + b.bottom, a.left + b.left};
+}
+
 /// The margin with the room that callouts and the parts list need.
-SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration) {
+SheetOptions sheet_with_tables(const Camera::ExtentFn& extent, const Illustration& illustration) {
   SheetOptions sheet = illustration.sheet;
   if (!illustration.illustrate.annotations) return sheet;
   const Annotations& over = *illustration.illustrate.annotations;
@@ -58,19 +63,28 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
   return sheet;
 }
 
-/// The camera of a view that has the sheet for itself.
-Camera lone_camera(const Scene& scene, const Illustration& illustration) {
+/// And that which dimensions need.
+SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration,
+                             const Margin& room) {
+  SheetOptions sheet = sheet_with_tables(extent, illustration);
+  sheet.margin = margin_of(sum(sheet.margin, room), illustration);
+  return sheet;
+}
+
+/// The camera of a view that has the sheet for itself. `room`: of dimensions.
+Camera lone_camera(const Scene& scene, const Illustration& illustration, const Margin& room) {
   const Camera::ExtentFn extent = extent_of(scene, illustration, illustration.view);
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
-    return Camera::fit(extent,
-                       settle(extent, illustration.view, sheet_with_room(extent, illustration)));
+    return Camera::fit(
+        extent, settle(extent, illustration.view, sheet_with_room(extent, illustration, room)));
   }
   // A perspective view knows one margin: it is fitted to what is left of the sheet.
   ViewOptions view = settle(extent, illustration.view, illustration.sheet);
   const Paper sheet = view.paper;
-  const Margin m =
-      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet);
+  const Margin m = sum(
+      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet),
+      room);
   view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
   view.margin = 0;
   return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
@@ -100,6 +114,24 @@ Mat3 axes_of(const ViewOptions& view) {
   const ViewOptions sides{.direction = view.direction, .up = view.up};
   return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
 }
+
+/// What views measure of width, depth and height; they keep room for it.
+class Overall {
+ public:
+  Overall(Scene& scene, const Illustration& illustration, std::vector<detail::OverallView> views)
+      : illustration_(illustration), views_(std::move(views)) {
+    detail::share_overall(scene, illustration, views_);
+  }
+  std::vector<Dimension> of_view(std::size_t i, Margin& room) const {
+    if (!illustration_.whole) return {};
+    return detail::overall_dimensions(*illustration_.whole, views_[i],
+                                      illustration_.style.dimension, room);
+  }
+
+ private:
+  const Illustration& illustration_;
+  std::vector<detail::OverallView> views_;
+};
 
 /// Places views of an illustration one after the other.
 class SheetPlanner {
@@ -216,9 +248,13 @@ class SheetPlanner {
   }
 
   void place_one() {
-    const Vec2 room = callout_capacity_of(illustration_, frame_.size());
-    const Box2 inner{frame_.min + room, frame_.max - room};
-    sheet_.views.push_back({"", in_box(illustration_.view, inner), frame_, {}, 1, {}, true});
+    const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
+    Margin room(0);
+    const Overall overall(scene_, illustration_, {{axes_of(illustration_.view)}});
+    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, overall.of_view(0, room)};
+    view.camera = in_box(illustration_.view, {frame_.min + callouts + Vec2(room.left, room.bottom),
+                                              frame_.max - callouts - Vec2(room.right, room.top)});
+    sheet_.views.push_back(std::move(view));
   }
 
   void place_grid() {
@@ -231,11 +267,17 @@ class SheetPlanner {
     sheet_.symbol_at = frame_.min;
     Box2 frame = frame_;
     frame.min.y += symbol.y + 0.5 * kBetweenViews;
+    std::vector<detail::OverallView> seen;
+    for (const detail::WantedView& wanted : views_)
+      seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
+    const Overall overall(scene_, illustration_, std::move(seen));
+    std::vector<std::vector<Dimension>> dimensions;
     std::vector<GridView> grid_views;
     const std::size_t numbered = view_with_callouts();
     for (const detail::WantedView& wanted : views_) {
       const Vec3 size = extent(wanted.view)(axes_of(wanted.view)).size();
       GridView view{wanted.stands_as, {size.x, size.y}, wanted.room};
+      dimensions.push_back(overall.of_view(dimensions.size(), view.room));
       if (grid_views.size() == numbered) {
         const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
         Margin& m = view.room;
@@ -253,6 +295,7 @@ class SheetPlanner {
       const Box2 drawn{middle - half, middle + half};
       PlacedView placed{views_[i].name, on_middle(view, middle), grid.boxes[i]};
       placed.callouts = i == numbered;
+      placed.dimensions = std::move(dimensions[i]);
       if (const SectionView* section = views_[i].section) {
         placed.scene = section->scene;
         sheet_.section_names.push_back({drawn, section->letter});
@@ -334,8 +377,12 @@ SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
     return SheetPlanner(scene, illustration).run();
   }
   SheetOfViews sheet;
-  const Camera camera = lone_camera(scene, illustration);
+  Margin room(0);
+  const Overall overall(scene, illustration, {{axes_of(illustration.view)}});
+  std::vector<Dimension> dimensions = overall.of_view(0, room);
+  const Camera camera = lone_camera(scene, illustration, room);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
+  sheet.views.front().dimensions = std::move(dimensions);
   return sheet;
 }
 

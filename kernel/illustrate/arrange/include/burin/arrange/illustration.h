@@ -109,6 +109,10 @@ struct Illustration {
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};
+  /// Width, depth and height of the parts that are drawn, along the axes of the model.
+  bool overall_dimensions = false;
+  /// What these are: arranging finds it, before anything is cut or moved.
+  std::optional<Box3> whole = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
