@@ -33,9 +33,10 @@ struct SheetOfViews {
   std::vector<PlacedView> views;
   /// Circles and letters of those of them that are details.
   std::vector<DetailMark> details = {};
-  /// The symbol of the method, with its bottom left corner there.
+  /// How views stand about the front view; where the bottom left corner of its symbol is, unless
+  /// the title block has it.
   std::optional<ProjectionMethod> method = {};
-  Vec2 symbol_at{0};
+  std::optional<Vec2> symbol_at = {};
 
   /// One view that has the sheet for itself.
   bool plain() const { return views.size() == 1 && details.empty() && !method; }
