@@ -166,7 +166,7 @@ class TemplateReader {
     const auto width = side("width"), height = side("height");
     const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
     if (!has_box && !(width && height)) {
-      file_.fail(root, "the template says no size: give it width and height in mm");
+      file_.fail(root, "the template states no size: give it width and height in mm");
     }
     constexpr double kPixels = 25.4 / 96;
     if (!has_box) box = {0, 0, *width / kPixels, *height / kPixels};

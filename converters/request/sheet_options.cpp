@@ -258,7 +258,7 @@ std::vector<RequestRow<Draft>> sheet_rows() {
                  "schriftfeld", "drawing frame", "iso 7200", "stamp"}},
        set_title_block},
       {{.option = {.name = "title_block_field",
-                   .meaning = "what a field of the title block says, e.g. number=A-100; title, "
+                   .meaning = "text of a field of the title block, e.g. number=A-100; title, "
                               "scale and model have values by themselves; repeatable",
                    .takes = FreeText{}},
         .group = kSheet,

@@ -137,14 +137,14 @@ std::optional<std::string> value_of(const TitleBlockText& slot, const TitleBlock
 void report(const TitleBlockPlan& plan, const std::vector<std::string>& cut,
             Diagnostics& diagnostics) {
   if (plan.narrow) {
-    diagnostics.add(Severity::Info, "title_block.narrow", 1,
+    diagnostics.add(Severity::Warning, "title_block.narrow", 1,
                     fmt::format("the title block is {:.0f} mm wide, as the margin leaves no more; "
                                 "ISO 7200 has {:g}",
                                 plan.layout->size.x, kTitleBlockWidth));
   }
   if (plan.layout->left_out > 0) {
     diagnostics.add(Severity::Warning, "title_block.turned", plan.layout->left_out,
-                    fmt::format("{} texts of the template that do not stand level are left out",
+                    fmt::format("{} texts of the template that are not level are left out",
                                 plan.layout->left_out));
   }
   if (cut.empty()) return;

@@ -97,7 +97,7 @@ TEST_F(TitleBlockTemplate, NobodyCanDrawEndsInOneLine) {
   EXPECT_THROW(read_title_block(folder_ / "none.svg"), MissingFile);
   EXPECT_THROW(read_title_block(folder_.path()), MissingFile);
   EXPECT_EQ(refusal("<svg/>"),
-            "1: <svg>: the template says no size: give it width and height in mm");
+            "1: <svg>: the template states no size: give it width and height in mm");
   EXPECT_EQ(refusal("<svg width='1mm' height='1mm'/>"),
             "0: the template has neither lines nor texts");
   EXPECT_EQ(refusal("<html/>"), "1: the file is no SVG");
