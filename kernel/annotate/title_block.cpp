@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -165,7 +166,8 @@ std::optional<TitleBlockPlan> plan_title_block(const Annotations& annotations,
   const Vec2 room = frame.size();
   TitleBlockPlan plan{annotations.title_block->layout};
   if (plan.layout && is_of_sheet(*plan.layout, paper)) {
-    if (plan.layout->kept_clear) plan.box = *plan.layout->kept_clear;
+    const std::optional<Box2>& clear = plan.layout->kept_clear;
+    if (clear && clear->max.y <= frame.center().y) plan.box = *clear;
     return plan;
   }
   if (!plan.layout) {

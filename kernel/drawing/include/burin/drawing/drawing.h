@@ -74,7 +74,7 @@ struct Text {
   TextAnchor anchor = TextAnchor::Start;
   /// UTF-8.
   std::string text;
-  /// What it is: "callout", "parts_list", "legend", "detail", "step".
+  /// What it is: "callout", "parts_list", "legend", "title_block", "detail", "step".
   std::string role = {};
   /// The number of the item that it is about; 0: none.
   int item = 0;
