@@ -165,6 +165,10 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect beside {}", called("center", plan.spelling),
                      called("views", plan.spelling)));
   }
+  if (has("title_block_field") && !has("title_block")) {
+    note(fmt::format("{} has no effect without {}", called("title_block_field", plan.spelling),
+                     called("title_block", plan.spelling)));
+  }
   if (has("projection") && plan.views.empty() && !own_views) {
     note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
                      called("views", plan.spelling)));

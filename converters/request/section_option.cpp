@@ -164,8 +164,8 @@ std::vector<RequestRow<Draft>> section_rows() {
       {{.option = {.name = "section_view",
                    .meaning =
                        "a view of its own for a section, beside the others: A-A; an axis and where "
-                       "it cuts as `section` takes them; the line of the cut, with arrows and "
-                       "letters, stands in the first view that sees it from its edge; repeatable",
+                       "it cuts as `section` takes them; the first view that sees the cut from "
+                       "its edge shows its line, with arrows and letters; repeatable",
                    .takes = FreeText{}},
         .group = kParts,
         .label = "AXIS[=MM][,...]",

@@ -142,7 +142,7 @@ std::vector<OptionRow<DimensionOptions>> dimension_option_rows() {
              "width of the lines of dimensions, in mm"),
       std::move(decimals),
       options::word("sign", &DimensionOptions::sign, {"point", "comma"},
-                    "what stands before the decimals of dimensions"),
+                    "the sign before the decimals of dimensions"),
   };
 }
 

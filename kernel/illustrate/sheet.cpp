@@ -24,6 +24,7 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
   options.annotations->legend.clear();
+  options.annotations->title_block.reset();
   options.annotations->margin = margin_about(view.box, view.camera.paper());
   return options;
 }
@@ -107,11 +108,13 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
     lay_sections(*all, sheet.section_marks, sheet.section_names, style.callout);
   }
   if (!sheet.details.empty()) lay_details(*all, sheet.details, style.callout);
-  if (sheet.method) {
-    all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
+  if (sheet.symbol_at) {
+    all->layers.push_back(projection_symbol(*sheet.method, *sheet.symbol_at, style.callout));
   }
   if (options.annotations) {
-    lay_tables(*all, with_seen_rows(scene, style, options, *all), style.callout);
+    Annotations over = with_seen_rows(scene, style, options, *all);
+    if (over.title_block) over.title_block->method = sheet.method;
+    lay_tables(*all, over, style.callout);
     detail::hatch_areas(scene, {scene, style, options}, "legend", *all, context);
   }
   return *std::move(all);

@@ -211,7 +211,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
   const auto& occluders = shaded.occluders;
   const Vec3 to_light = shaded.to_light;
   const Camera& camera = shaded.camera;
-  const bool pointed_at = options.annotations.has_value();
+  const auto& over = options.annotations;
+  // A title block alone is about no part.
+  const bool pointed_at = over && (!over->items.empty() || !over->title_block);
   const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
                        style.shadow.cast || style.shadow.ground;
   std::shared_ptr<std::optional<LightView>> light;

@@ -142,6 +142,16 @@ void keep_room_for_centre_lines(Illustration& illustration) {
   }
 }
 
+void add_title_block(Illustration& illustration) {
+  if (!illustration.title_block) return;
+  std::optional<Annotations>& over = illustration.illustrate.annotations;
+  if (!over) over.emplace().margin = illustration.sheet.margin;
+  over->title_block = illustration.title_block;
+  if (!illustration.title.empty()) {
+    over->title_block->fields.try_emplace("title", illustration.title);
+  }
+}
+
 }  // namespace
 
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
@@ -151,8 +161,9 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
     illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
   number_parts(scene, illustration, context);
   place_parts(scene, illustration, context);
+  add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;
-  const bool tables = over && (over->parts_list || !over->legend.empty());
+  const bool tables = over && (over->parts_list || !over->legend.empty() || over->title_block);
   if (tables) over->shape = detail::drawn_shape(scene, illustration);
 }
 

@@ -100,6 +100,7 @@ Vec2 callout_capacity_of(const Illustration& illustration, Vec2 size) {
   Annotations callouts = *illustration.illustrate.annotations;
   callouts.parts_list = false;
   callouts.legend.clear();
+  callouts.title_block.reset();
   callouts.margin = Margin(0);
   const Margin m = annotation_margin(callouts, illustration.style.callout, {size.x, size.y});
   return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
@@ -235,8 +236,9 @@ class SheetPlanner {
   Camera in_box(ViewOptions view, const Box2& box) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
-    view.margin = 0;
-    return Camera::fit(extent(view), view).on_sheet(sheet, box.min);
+    const Camera::ExtentFn shown = extent(view);
+    const SheetOptions whole{.margin = Margin(0), .iso_scale = illustration_.sheet.iso_scale};
+    return Camera::fit(shown, settle(shown, view, whole)).on_sheet(sheet, box.min);
   }
 
   /// A camera of a given scale whose picture has its middle there.
@@ -261,12 +263,14 @@ class SheetPlanner {
     if (illustration_.view.perspective) {
       throw UsageError("several views are orthographic: leave `perspective` out");
     }
-    // The symbol of the method stands under the views at the left.
-    const Vec2 symbol = projection_symbol_size();
     sheet_.method = illustration_.projection;
-    sheet_.symbol_at = frame_.min;
     Box2 frame = frame_;
-    frame.min.y += symbol.y + 0.5 * kBetweenViews;
+    const std::optional<Annotations>& over = illustration_.illustrate.annotations;
+    if (!over || !has_symbol(*over, illustration_.style.callout, illustration_.view.paper)) {
+      // The symbol of the method stands under the views at the left.
+      sheet_.symbol_at = frame_.min;
+      frame.min.y += projection_symbol_size().y + 0.5 * kBetweenViews;
+    }
     std::vector<detail::OverallView> seen;
     for (const detail::WantedView& wanted : views_)
       seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
@@ -286,8 +290,11 @@ class SheetPlanner {
       }
       grid_views.push_back(std::move(view));
     }
-    const ViewGrid grid = arrange_views(grid_views, illustration_.projection, frame, kBetweenViews,
-                                        illustration_.view.scale);
+    const auto arranged = [&](std::optional<double> scale) {
+      return arrange_views(grid_views, illustration_.projection, frame, kBetweenViews, scale);
+    };
+    ViewGrid grid = arranged(illustration_.view.scale);
+    if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
     for (std::size_t i = 0; i < views_.size(); ++i) {
       ViewOptions view = views_[i].view;
       view.scale = grid.scale;

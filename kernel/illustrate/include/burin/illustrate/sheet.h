@@ -42,9 +42,10 @@ struct SheetOfViews {
   /// Where sections that have views of their own cut, and the names of these.
   std::vector<SectionMark> section_marks = {};
   std::vector<SectionName> section_names = {};
-  /// The symbol of the method, with its bottom left corner there.
+  /// How views stand about the front view; where the bottom left corner of its symbol is, unless
+  /// the title block has it.
   std::optional<ProjectionMethod> method = {};
-  Vec2 symbol_at{0};
+  std::optional<Vec2> symbol_at = {};
 
   /// One view that has the sheet for itself.
   bool plain() const { return views.size() == 1 && details.empty() && !method; }

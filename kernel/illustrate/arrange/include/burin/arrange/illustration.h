@@ -116,6 +116,8 @@ struct Illustration {
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
+  /// Its "title", where it has none, is `title`.
+  std::optional<TitleBlock> title_block = {};
   /// Numbers that items have already.
   ItemNumbers numbers = {};
   /// What the drawing is called; empty: by its parts.
