@@ -78,12 +78,13 @@ py::dict dict_of(const Look& look, const std::string& style_named) {
   return out;
 }
 
-py::dict view_of(const ViewOptions& view) {
+py::dict view_of(const DrawPlan& plan) {
+  const ViewOptions& view = plan.view;
   py::dict out;
   out["from"] = list_of(view.direction);
   out["up"] = list_of(view.up);
   out["perspective"] = view.perspective;
-  out["scale"] = view.scale;
+  out["scale"] = plan.sheet.iso_scale ? py::object(py::str("iso")) : py::cast(view.scale);
   out["center"] = view.center ? py::object(list_of(*view.center)) : py::none();
   return out;
 }
@@ -134,7 +135,7 @@ py::dict illustration(const py::object& source) {
   py::dict out;
   out["title"] = file.request.title;
   out["parts"] = list_of_dicts(file.inputs);
-  out["view"] = view_of(plan.view);
+  out["view"] = view_of(plan);
   out["paper"] = paper_of(plan);
   out["lights"] = list_of_dicts(file.request.lights);
   out["light"] = list_of(plan.style.tone.light);
@@ -154,6 +155,9 @@ py::dict illustration(const py::object& source) {
   out["callouts"] = plan.callouts;
   out["parts_list"] = plan.parts_list;
   out["legend"] = plan.legend;
+  out["title_block"] = plan.title_block && members.contains("title_block")
+                           ? py::object(members["title_block"])
+                           : py::none();
   out["hidden"] = plan.illustrate.hidden == HiddenLines::Dashed ? "dashed" : "none";
   out["tolerance"] = plan.illustrate.tolerance;
   out["seed"] = plan.illustrate.seed;
@@ -216,11 +220,12 @@ void add_illustration(py::module_& module) {
       "what it extends, without reading its models: \"title\"; \"parts\" (\"file\" as found from "
       "here, \"function\", \"name\", \"place\" as 4 rows, \"read\": options about reading); "
       "\"view\" "
-      "(\"from\" and \"up\" as directions, \"perspective\" in degrees, \"scale\", \"center\" in "
+      "(\"from\" and \"up\" as directions, \"perspective\" in degrees, \"scale\" as a number or "
+      "\"iso\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
       "\"looks\"; \"sections\", \"explode\" and \"details\" unchanged; \"views\", names, and "
-      "\"projection\"; \"items\", number to name; "
+      "\"projection\"; \"items\", number to name; \"title_block\" unchanged; "
       "\"callouts\", \"parts_list\" and \"legend\" (on the sheet), True or False; \"hidden\", "
       "\"tolerance\" in "
       "mm, \"seed\". A key that is not "

@@ -22,6 +22,7 @@ py::list texts(const PyLayer& self) {
     d["anchor"] = to_string(text.anchor);
     d["role"] = text.role;
     d["item"] = text.item;
+    d["turn"] = text.turn;
     list.append(d);
   }
   return list;

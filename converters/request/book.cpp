@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,13 +17,17 @@ namespace {
 /// What is asked for that is about one drawing, as `with_spelling` takes it.
 std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
   std::vector<std::string> out;
-  for (const auto& [asked, name] : {std::pair(!plan.views.empty(), "`views`"),
-                                    {!plan.details.empty(), "`detail`"},
-                                    {plan.legend, "`legend`"},
-                                    {!plan.parts_list_files.empty(), "`parts_list` as a file"},
-                                    {plan.view.scale.has_value(), "`scale`"},
-                                    {plan.view.center.has_value(), "`center`"},
-                                    {plan.explode.factor != 1, "`explode_factor`"}}) {
+  const bool own_view = std::ranges::any_of(plan.sections, &Section::own_view);
+  for (const auto& [asked, name] :
+       {std::pair(!plan.views.empty(), "`views`"),
+        {own_view, "`section_view`"},
+        {!plan.details.empty(), "`detail`"},
+        {plan.legend, "`legend`"},
+        {plan.title_block.has_value(), "`title_block`"},
+        {!plan.parts_list_files.empty(), "`parts_list` as a file"},
+        {plan.view.scale.has_value() || plan.sheet.iso_scale, "`scale`"},
+        {plan.view.center.has_value(), "`center`"},
+        {plan.explode.factor != 1, "`explode_factor`"}}) {
     if (asked) out.emplace_back(name);
   }
   return out;

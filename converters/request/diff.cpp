@@ -77,17 +77,23 @@ void choose_parts(Revision& before, Revision& after) {
 
 /// What of the plan is about one model alone.
 void leave_out(DrawPlan& plan) {
+  if (std::erase_if(plan.sections, [](const Section& section) { return section.own_view; }) > 0) {
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   "section views have no effect on a drawing of two revisions: `section` cuts all "
+                   "of its views");
+  }
   const bool asked = plan.explode.wanted || plan.callouts || plan.parts_list || plan.legend ||
-                     !plan.parts_list_files.empty();
+                     plan.title_block || !plan.parts_list_files.empty();
   plan.explode = {};
   plan.callouts = plan.parts_list = plan.legend = plan.items = false;
   plan.parts_list_files.clear();
+  plan.title_block.reset();
   plan.illustrate.annotations.reset();
   if (!asked) return;
-  plan.notes.add(
-      Severity::Warning, "option.unused", 1,
-      "exploded view, callouts, parts list and legend have no effect on a drawing of two "
-      "revisions, whose parts stay in place");
+  plan.notes.add(Severity::Warning, "option.unused", 1,
+                 "exploded view, callouts, parts list, legend and title block have no effect on a "
+                 "drawing of two "
+                 "revisions, whose parts stay in place");
 }
 
 /// Room for the legend.

@@ -22,6 +22,8 @@ struct Draft {
 
 /// Past any sheet, scale or tolerance that means something.
 inline constexpr double kLarge = 1e12;
+/// The word for the largest scale of ISO 5455 that fits.
+inline constexpr const char* kIsoScale = "iso";
 inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
 /// The heading of options about parts.
 inline constexpr const char* kParts = "Parts";

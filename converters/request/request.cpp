@@ -102,8 +102,14 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   const auto note = [&](const std::string& text) {
     notes.add(Severity::Warning, "option.unused", 1, text);
   };
-  const bool lists = plan.callouts || plan.parts_list || plan.legend;
+  const bool own_views = std::ranges::any_of(plan.sections, &Section::own_view);
+  const bool lists =
+      plan.callouts || plan.parts_list || plan.legend || own_views || !plan.details.empty();
   for (const std::string& key : plan.style_keys) {
+    if (key.starts_with("dimension.") && !plan.overall_dimensions) {
+      note(fmt::format("style key {} has no effect without {}", key,
+                       called("dimensions", plan.spelling)));
+    }
     if (key.starts_with("callout.") && !lists) {
       note(fmt::format("style key {} has no effect without {}", key,
                        called(key == "callout.legend" ? "legend" : "callouts", plan.spelling)));
@@ -118,7 +124,11 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect beside {}", called("center", plan.spelling),
                      called("views", plan.spelling)));
   }
-  if (has("projection") && plan.views.empty()) {
+  if (has("title_block_field") && !has("title_block")) {
+    note(fmt::format("{} has no effect without {}", called("title_block_field", plan.spelling),
+                     called("title_block", plan.spelling)));
+  }
+  if (has("projection") && plan.views.empty() && !own_views) {
     note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
                      called("views", plan.spelling)));
   }

@@ -123,6 +123,17 @@ void set_sections(Draft& draft, const Asked& asked) {
   }
 }
 
+void set_section_views(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    Section section = section_option(asked.spelled, text);
+    if (section.planes.size() > 1 && !section.steps) {
+      refuse_value(asked.spelled, "one plane, or steps: a view shows one cut", text);
+    }
+    section.own_view = true;
+    draft.plan.sections.push_back(std::move(section));
+  }
+}
+
 /// "none" alone: all are cut.
 void set_uncut(Draft& draft, const Asked& asked) {
   const bool none = asked.texts.size() == 1 && asked.texts.front() == "none";
@@ -150,6 +161,20 @@ std::vector<RequestRow<Draft>> section_rows() {
                  "cross section", "crosssection", "section plane", "section view", "half",
                  "plane"}},
        set_sections},
+      {{.option = {.name = "section_view",
+                   .meaning =
+                       "a view of its own for a section, beside the others: A-A; an axis and where "
+                       "it cuts as `section` takes them; the first view that sees the cut from "
+                       "its edge shows its line, with arrows and letters; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "AXIS[=MM][,...]",
+        .choices = {"x", "y", "z"},
+        .many = true,
+        .python = kPython,
+        .also = {"section line", "cutting line", "a a", "section aa", "cut view", "sectional view",
+                 "view section", "sectioned view"}},
+       set_section_views},
       {{.option = {.name = "section_box",
                    .meaning = "take away what is inside a box x0,y0,z0,x1,y1,z1, in model mm",
                    .takes = FreeText{}},

@@ -6,6 +6,7 @@
 
 #include "detail_option.h"
 #include "draw_options.h"
+#include "title_block_option.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,13 @@ void set_margin(Draft& draft, const Asked& asked) {
   const Paper& paper = draft.plan.view.paper;
   const Vec2 room = sheet.fits ? Vec2(kLargestSheet) : Vec2(paper.width, paper.height);
   sheet.margin = margin_option(asked.spelled, asked.text(), room).value_or(sheet.margin);
+}
+
+void set_scale(Draft& draft, const Asked& asked) {
+  draft.plan.sheet.iso_scale = equal_but_for_case(asked.text(), kIsoScale);
+  draft.plan.view.scale.reset();
+  if (draft.plan.sheet.iso_scale) return;
+  draft.plan.view.scale = scale_option(asked.spelled, asked.text(), 1 / kLarge, kLarge);
 }
 
 std::vector<std::string> view_names() {
@@ -189,6 +197,19 @@ std::vector<RequestRow<Draft>> view_rows() {
         .also = {"zoom", "magnify", "magnifier", "detail view", "inset", "loupe", "enlarge",
                  "close up"}},
        set_details},
+      {{.option = {.name = "dimensions",
+                   .meaning = "write lengths beside the drawing: overall, width, depth and height "
+                              "along the axes of the model, or none (default none); looks: style "
+                              "keys dimension.*",
+                   .takes = WordList{{"none", "overall"}}},
+        .group = kSheet,
+        .label = "none|overall",
+        .fallback = "none",
+        .also = {"dimension", "measure", "measurements", "size labels", "bounding box dimensions",
+                 "overall dimensions", "lengths"}},
+       [](Draft& d, const Asked& a) {
+         d.plan.overall_dimensions = std::get<std::uint64_t>(a.value) == 1;
+       }},
   };
 }
 
@@ -209,15 +230,16 @@ std::vector<RequestRow<Draft>> sheet_rows() {
                  "page format", "crop", "fit", "dimensions of sheet"}},
        set_paper},
       {{.option = {.name = "scale",
-                   .meaning = "paper mm for a model mm, also as 1:2 (default: fit to the sheet)",
+                   .meaning = "paper mm for a model mm, also as 1:2; iso: the largest of ISO 5455 "
+                              "(1:1, 2:1, 5:1 ..., 1:2, 1:5 ...) that fits (default: fit to the "
+                              "sheet)",
                    .takes = FreeText{}},
         .group = kSheet,
-        .label = "S|A:B",
+        .label = "S|A:B|iso",
+        .choices = {"iso"},
         .python = "float | str",
-        .also = {"factor", "scale factor", "ratio"}},
-       [](Draft& d, const Asked& a) {
-         d.plan.view.scale = scale_option(a.spelled, a.text(), 1 / kLarge, kLarge);
-       }},
+        .also = {"factor", "scale factor", "ratio", "standard scale", "iso scale", "iso 5455"}},
+       set_scale},
       {{.option = {.name = "center",
                    .meaning = "the model point in the middle of the sheet (default: the middle of "
                               "the drawing)",
@@ -237,6 +259,28 @@ std::vector<RequestRow<Draft>> sheet_rows() {
         .python = "float | Sequence[float]",
         .also = {"margins", "padding", "border", "inset margin", "bleed"}},
        set_margin},
+      {{.option = {.name = "title_block",
+                   .meaning = "a title block in the lower right corner: iso, of ISO 7200, or "
+                              "FILE.svg, a template whose texts are fields, also of TechDraw; "
+                              "none: as if not asked for",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "iso|FILE.svg",
+        .choices = {"iso", "none"},
+        .also = {"titleblock", "title strip", "frame", "sheet template", "template", "border frame",
+                 "schriftfeld", "drawing frame", "iso 7200", "stamp"}},
+       set_title_block},
+      {{.option = {.name = "title_block_field",
+                   .meaning = "text of a field of the title block, e.g. number=A-100; title, "
+                              "scale and model have values by themselves; repeatable",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME=TEXT",
+        .many = true,
+        .python = "str | Sequence[str]",
+        .also = {"title field", "author", "drawing number", "revision", "company", "date",
+                 "sheet number", "approved by"}},
+       set_title_block_fields},
   };
 }
 

@@ -43,7 +43,7 @@ int common_weight(const InkLayer& layer) {
 std::string_view linetype_of(const InkLayer& layer) {
   if (!layer.own_dashes.empty()) return layer.own_dashes.size() < 4 ? dxf::kDashed : dxf::kDashDot;
   if (layer.name == kHiddenLayer) return dxf::kDashed;
-  if (layer.name == kCentreLayer) return dxf::kLongDashDot;
+  if (has_long_dashes(layer.name)) return dxf::kLongDashDot;
   return layer.name == kTrailLayer ? dxf::kDashDot : dxf::kContinuous;
 }
 

@@ -214,6 +214,7 @@ void append_text(Groups& out, const Item& item, std::uint64_t handle) {
   const Text& text = *item.text;
   append_entity(out, "TEXT", "AcDbText", item, handle);
   out.point(10, Vec3(text.at, 0)).real(40, text.height).text(1, plain_text(text.text));
+  if (text.turn != 0) out.real(50, text.turn);
   out.whole(72, static_cast<int>(text.anchor)).point(11, Vec3(text.at, 0));
   out.text(100, "AcDbText");
 }

@@ -139,8 +139,7 @@ void add_callouts(Drawing& drawing, std::span<const Area> seen, const Box2& fram
 
 Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
                          const Paper& paper) {
-  const Box2 frame = inside(paper, annotations.margin);
-  const Box2 rest = detail::plan_tables(annotations, style, frame).rest;
+  const Box2 rest = detail::plan_tables(annotations, style, paper).rest;
   Margin m(paper.height - rest.max.y, paper.width - rest.max.x, rest.min.y, rest.min.x);
   if (!annotations.callouts || annotations.items.empty()) return m;
   const CalloutSizes sizes(style, largest_number(annotations.items));
@@ -167,8 +166,7 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
 
 bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
                      const Paper& paper, const Margin& border) {
-  const Box2 frame = inside(paper, annotations.margin);
-  const detail::Tables tables = detail::plan_tables(annotations, style, frame);
+  const detail::Tables tables = detail::plan_tables(annotations, style, paper);
   if (!tables.fit(annotations)) return false;
   const Margin needed = annotation_margin(annotations, style, paper);
   constexpr double kRounding = 1e-9;
@@ -185,8 +183,7 @@ void annotate(Drawing& drawing, std::span<const Area> seen, const Annotations& a
               const CalloutOptions& style, const RunContext& context) {
   drawing.items = annotations.items;
   const Paper paper{drawing.paper_width, drawing.paper_height};
-  const Box2 frame = inside(paper, annotations.margin);
-  const detail::Tables tables = detail::plan_tables(annotations, style, frame);
+  const detail::Tables tables = detail::plan_tables(annotations, style, paper);
   if (annotations.callouts) {
     add_callouts(drawing, seen, tables.rest, annotations, style, context);
   }

@@ -7,7 +7,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kApart = 5;  // paper mm between the blocks and the drawing
 constexpr std::size_t kMostBlocks = 12;
 constexpr double kTallest = 0.6;  // share of the frame that one block takes before there are two
 constexpr double kLeast = 0.3;    // share of the frame that the drawing keeps

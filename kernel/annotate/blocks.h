@@ -12,6 +12,7 @@ namespace burin::detail {
 /// Of a list on the sheet: heights of letters that its widest name may take.
 constexpr double kWidestName = 24;
 constexpr double kRounding = 1e-6;  // paper mm
+constexpr double kApart = 5;        // paper mm between tables and the drawing
 
 /// Where rows stand and how they are parted: blocks of them beside each other.
 struct BlockPlan {

@@ -64,6 +64,40 @@ void add_legend(const std::optional<LegendPlan>& plan, const Annotations& annota
   lay_legend(*plan, annotations, style, drawing);
 }
 
+void add_title_block(const std::optional<TitleBlockPlan>& plan, const Annotations& annotations,
+                     const CalloutOptions& style, Drawing& drawing) {
+  const TitleBlock& block = *annotations.title_block;
+  if (!plan) {
+    const std::string size =
+        block.layout ? fmt::format("of {:g} x {:g} mm", block.layout->size.x, block.layout->size.y)
+                     : fmt::format("at least {:g} mm wide", kLeastTitleBlock);
+    drawing.diagnostics.add(
+        Severity::Warning, "title_block.no_room", 1,
+        fmt::format("a title block {} does not fit beside the drawing on a sheet of {:g} x {:g} "
+                    "mm: give a larger `paper` or a smaller `margin`",
+                    size, drawing.paper_width, drawing.paper_height));
+    return;
+  }
+  std::vector<std::string> values;
+  for (const auto& [name, value] : block.fields) values.push_back(value);
+  report_missing(values, drawing.diagnostics);
+  lay_title_block(*plan, block, style, drawing);
+}
+
+/// What a block in the lower right corner leaves of the sheet: what is above it and the list, or
+/// beside it where there is no list on it.
+void keep_clear(const Box2& block, const Annotations& annotations, const Box2& frame,
+                Tables& tables) {
+  constexpr double kLeast = 0.3;  // share of the frame that a drawing keeps
+  tables.rest.min.y = std::max(tables.rest.min.y, block.max.y + kApart);
+  if (tables.list) return;
+  Box2 beside = frame;
+  beside.max.x = block.min.x - kApart;
+  if (beside.size().x < kLeast * frame.size().x) return;
+  const auto scale = [&](const Box2& box) { return scale_in(box.size(), annotations.shape); };
+  if (scale(beside) > scale(tables.rest)) tables.rest = beside;
+}
+
 bool has_legend(const Annotations& annotations) {
   return std::ranges::any_of(annotations.legend, &LegendRow::seen);
 }
@@ -71,13 +105,20 @@ bool has_legend(const Annotations& annotations) {
 }  // namespace
 
 bool Tables::fit(const Annotations& annotations) const {
-  return (list || !annotations.parts_list) && (legend || !has_legend(annotations));
+  const bool block_fits = block ? !block->narrow : !annotations.title_block.has_value();
+  return block_fits && (list || !annotations.parts_list) && (legend || !has_legend(annotations));
 }
 
-Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame) {
-  Tables tables{{}, {}, frame};
-  if (annotations.parts_list) tables.list = plan_list(annotations, style, frame);
+Tables plan_tables(const Annotations& annotations, const CalloutOptions& style,
+                   const Paper& paper) {
+  const Box2 frame = inside(paper, annotations.margin);
+  Tables tables{.rest = frame};
+  tables.block = plan_title_block(annotations, style, paper);
+  const Box2 taken = tables.block ? tables.block->box : Box2();
+  if (!taken.empty()) tables.rest.min.y = taken.max.y;
+  if (annotations.parts_list) tables.list = plan_list(annotations, style, tables.rest);
   if (tables.list) tables.rest = tables.list->rest;
+  if (!taken.empty()) keep_clear(taken, annotations, frame, tables);
   tables.legend = plan_legend(annotations, style, tables.rest);
   if (tables.legend) tables.rest = tables.legend->rest;
   return tables;
@@ -85,6 +126,7 @@ Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, 
 
 void lay_tables(const Tables& tables, const Annotations& annotations, const CalloutOptions& style,
                 Drawing& drawing) {
+  if (annotations.title_block) add_title_block(tables.block, annotations, style, drawing);
   if (annotations.parts_list) add_list(tables.list, annotations, style, drawing);
   if (has_legend(annotations)) add_legend(tables.legend, annotations, style, drawing);
 }
@@ -95,7 +137,7 @@ namespace {
 
 detail::Tables tables_on(const Paper& paper, const Annotations& annotations,
                          const CalloutOptions& style) {
-  return detail::plan_tables(annotations, style, inside(paper, annotations.margin));
+  return detail::plan_tables(annotations, style, paper);
 }
 
 }  // namespace

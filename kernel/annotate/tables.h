@@ -5,23 +5,26 @@
 
 #include "legend.h"
 #include "list_on_sheet.h"
+#include "title_block.h"
 
 #include <optional>
 
 namespace burin::detail {
 
 struct Tables {
-  std::optional<ListPlan> list;
-  /// In what the list leaves.
-  std::optional<LegendPlan> legend;
-  /// What both leave of the frame.
+  std::optional<TitleBlockPlan> block = {};
+  /// On the block.
+  std::optional<ListPlan> list = {};
+  /// In what both leave.
+  std::optional<LegendPlan> legend = {};
+  /// What all leave of the frame.
   Box2 rest;
 
   /// Whether all that is asked for has room.
   bool fit(const Annotations& annotations) const;
 };
 
-Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Box2& frame);
+Tables plan_tables(const Annotations& annotations, const CalloutOptions& style, const Paper& paper);
 
 /// Lays them over a drawing; tells of what has no room, and of characters that the font has not.
 void lay_tables(const Tables& tables, const Annotations& annotations, const CalloutOptions& style,

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/camera/sheet.h>
+#include <burin/camera/view_grid.h>
 
 #include <fmt/format.h>
 
@@ -110,15 +111,39 @@ ViewOptions settle_perspective(const Camera::ExtentFn& extent, ViewOptions view,
   return view;
 }
 
+/// The scale at which what is seen fills a box, or the next smaller one of ISO 5455.
+double fitted_scale(Vec2 inner, const Seen& seen, bool iso_scale) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const Vec2 ratio(seen.size.x > 0 ? inner.x / seen.size.x : inf,
+                   seen.size.y > 0 ? inner.y / seen.size.y : inf);
+  const double most = std::min(ratio.x, ratio.y);
+  if (!std::isfinite(most)) return 1;
+  return iso_scale && most > 0 ? standard_scale(most) : most;
+}
+
+void check_iso_scale(const ViewOptions& view, const SheetOptions& sheet) {
+  if (!sheet.iso_scale) return;
+  if (sheet.fits) {
+    throw UsageError(
+        "`scale` iso is the largest of ISO 5455 that fits on a sheet, and any scale fits on one "
+        "that grows: name a `paper`, or give a scale such as 1:2");
+  }
+  if (view.perspective) {
+    throw UsageError("a perspective view has no scale of ISO 5455: leave `scale` iso out");
+  }
+}
+
 }  // namespace
 
 ViewOptions settle(const Camera::ExtentFn& extent, ViewOptions view, const SheetOptions& sheet) {
   const Margin& m = sheet.margin;
+  check_iso_scale(view, sheet);
   if (view.perspective && !m.even()) {
     throw UsageError("a perspective view keeps the same margin on all sides; give one number");
   }
   view.margin = m.top;
-  if (!sheet.fits && m.even()) return view;
+  const bool finds_scale = sheet.iso_scale && !view.scale;
+  if (!sheet.fits && m.even() && !finds_scale) return view;
   if (view.perspective) return settle_perspective(extent, view, m);
   const Seen seen = look(extent, view);
   if (sheet.fits) {
@@ -126,12 +151,7 @@ ViewOptions settle(const Camera::ExtentFn& extent, ViewOptions view, const Sheet
     view.paper = sheet_around(*view.scale * Vec2(seen.size), m, *view.scale);
   }
   const Vec2 inner(view.paper.width - m.left - m.right, view.paper.height - m.bottom - m.top);
-  if (!view.scale) {
-    const double inf = std::numeric_limits<double>::infinity();
-    const Vec2 ratio(seen.size.x > 0 ? inner.x / seen.size.x : inf,
-                     seen.size.y > 0 ? inner.y / seen.size.y : inf);
-    view.scale = std::isfinite(std::min(ratio.x, ratio.y)) ? std::min(ratio.x, ratio.y) : 1;
-  }
+  if (!view.scale) view.scale = fitted_scale(inner, seen, sheet.iso_scale);
   // The middle of what the margin leaves lies beside that of the sheet.
   const Vec2 beside = 0.5 * Vec2(m.left - m.right, m.bottom - m.top) / *view.scale;
   view.center = seen.axes * (seen.middle - Vec3(beside, 0));

@@ -62,45 +62,54 @@ std::vector<Cell> cells_of(std::span<const GridView> views, ProjectionMethod met
   return cells;
 }
 
+/// Where a lane begins and ends, and where the middles of its views are.
+struct LanePlace {
+  double begin = 0, middle = 0, end = 0;
+};
+
 /// The columns, or the rows, that have a view.
 class Lanes {
  public:
-  Lanes(std::span<const GridView> views, std::span<const Cell> cells, int Cell::*lane, int axis,
-        double gap)
+  Lanes(std::span<const GridView> views, std::span<const Cell> cells, bool columns, double gap)
       : gap_(gap) {
     for (std::size_t i = 0; i < views.size(); ++i) {
-      lanes_[cells[i].*lane].push_back({views[i].size[axis], 2 * views[i].room[axis]});
+      const auto& [name, size, room] = views[i];
+      lanes_[columns ? cells[i].column : cells[i].row].push_back(
+          columns ? Extent{size.x, room.left, room.right} : Extent{size.y, room.bottom, room.top});
     }
   }
 
   double width(double scale) const {
     double sum = gap_ * static_cast<double>(lanes_.size() - 1);
-    for (const auto& [lane, views] : lanes_) sum += width_of(views, scale);
+    for (const auto& [lane, views] : lanes_) sum += place_of(views, scale, 0).end;
     return sum;
   }
 
-  /// From where to where each lane goes.
-  std::map<int, std::pair<double, double>> places(double scale, double begin) const {
-    std::map<int, std::pair<double, double>> places;
+  std::map<int, LanePlace> places(double scale, double begin) const {
+    std::map<int, LanePlace> places;
     for (const auto& [lane, views] : lanes_) {
-      const double end = begin + width_of(views, scale);
-      places[lane] = {begin, end};
-      begin = end + gap_;
+      places[lane] = place_of(views, scale, begin);
+      begin = places[lane].end + gap_;
     }
     return places;
   }
 
  private:
-  /// Model mm, and paper mm beside.
-  using Extents = std::vector<std::pair<double, double>>;
+  /// Model mm, and paper mm before and after.
+  struct Extent {
+    double size = 0, before = 0, after = 0;
+  };
 
-  static double width_of(const Extents& views, double scale) {
-    double width = 0;
-    for (const auto& [size, room] : views) width = std::max(width, size * scale + room);
-    return width;
+  static LanePlace place_of(const std::vector<Extent>& views, double scale, double begin) {
+    double before = 0, after = 0;
+    for (const Extent& view : views) {
+      before = std::max(before, 0.5 * view.size * scale + view.before);
+      after = std::max(after, 0.5 * view.size * scale + view.after);
+    }
+    return {begin, begin + before, begin + before + after};
   }
 
-  std::map<int, Extents> lanes_;
+  std::map<int, std::vector<Extent>> lanes_;
   double gap_;
 };
 
@@ -126,7 +135,7 @@ double largest_scale(const Lanes& lanes, double most) {
 ViewGrid arrange_views(std::span<const GridView> views, ProjectionMethod method, const Box2& frame,
                        double gap, std::optional<double> scale) {
   const std::vector<Cell> cells = cells_of(views, method);
-  const Lanes columns(views, cells, &Cell::column, 0, gap), rows(views, cells, &Cell::row, 1, gap);
+  const Lanes columns(views, cells, true, gap), rows(views, cells, false, gap);
   if (std::ranges::all_of(views, [](const GridView& v) { return v.size == Vec2(0); })) {
     throw GeometryError("nothing to draw: the model has no extent");
   }
@@ -139,9 +148,9 @@ ViewGrid arrange_views(std::span<const GridView> views, ProjectionMethod method,
   const auto x = columns.places(grid.scale, grid.box.min.x);
   const auto y = rows.places(grid.scale, grid.box.min.y);
   for (const Cell& cell : cells) {
-    const auto [left, right] = x.at(cell.column);
-    const auto [bottom, top] = y.at(cell.row);
-    grid.boxes.push_back({{left, bottom}, {right, top}});
+    const LanePlace &column = x.at(cell.column), &row = y.at(cell.row);
+    grid.boxes.push_back({{column.begin, row.begin}, {column.end, row.end}});
+    grid.middles.emplace_back(column.middle, row.middle);
   }
   return grid;
 }

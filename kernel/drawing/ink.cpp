@@ -62,7 +62,7 @@ std::vector<double> InkLayer::dashes(const DashOptions& options) const {
   if (name == kHiddenLayer) return {options.dash, options.gap};
   constexpr double kDot = 0.01;  // paper mm: its round caps make it a dot
   if (name == kTrailLayer) return {2 * options.dash, options.gap, kDot, options.gap};
-  if (name == kCentreLayer) return {3 * options.dash, options.gap, kDot, options.gap};
+  if (has_long_dashes(name)) return {3 * options.dash, options.gap, kDot, options.gap};
   return {};
 }
 

@@ -180,7 +180,12 @@ void append_text(Buffer& out, const Text& text) {
   append_json(out, text.text);
   append(out, ", \"role\": ");
   append_json(out, text.role);
-  fmt::format_to(fmt::appender(out), ", \"item\": {}}}", text.item);
+  fmt::format_to(fmt::appender(out), ", \"item\": {}", text.item);
+  if (text.turn != 0) {
+    append(out, ", \"turn\": ");
+    append_exact(out, text.turn);
+  }
+  out.push_back('}');
 }
 
 void append_diagnostic(Buffer& out, const Diagnostic& d) {

@@ -15,6 +15,7 @@ namespace {
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
   IllustrateOptions options = all;
   options.magnified = view.magnified;
+  options.dimensions = view.dimensions;
   if (!options.annotations) return options;
   if (view.within) {
     options.annotations.reset();
@@ -23,6 +24,7 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
   options.annotations->legend.clear();
+  options.annotations->title_block.reset();
   options.annotations->margin = margin_about(view.box, view.camera.paper());
   return options;
 }
@@ -45,8 +47,9 @@ void report_not_shown(const PlacedView& view, Drawing& drawing) {
       "detail " + view.name + " shows no line of its parts: they are hidden in this view");
 }
 
-Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style,
+Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style& style,
                   const IllustrateOptions& all, RunContext& context, Session& session) {
+  const Scene& scene = view.scene ? *view.scene : whole_scene;
   const IllustrateOptions options = options_of(view, all);
   if (!view.within) return session.draw(scene, view.camera, style, options, context);
   Style whole = style;
@@ -81,8 +84,10 @@ SheetView described(const PlacedView& view, const Drawing& drawing) {
 Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
                    const IllustrateOptions& options, RunContext& context, Session* session) {
   if (sheet.plain()) {
-    return session ? session->draw(scene, sheet.camera(), style, options, context)
-                   : illustrate(scene, sheet.camera(), style, options, context);
+    IllustrateOptions lone = options;
+    lone.dimensions = sheet.views.front().dimensions;
+    return session ? session->draw(scene, sheet.camera(), style, lone, context)
+                   : illustrate(scene, sheet.camera(), style, lone, context);
   }
   Session own;
   Session& kept = session ? *session : own;
@@ -99,12 +104,17 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
     }
   }
   all->views = std::move(views);
+  if (!sheet.section_names.empty()) {
+    lay_sections(*all, sheet.section_marks, sheet.section_names, style.callout);
+  }
   if (!sheet.details.empty()) lay_details(*all, sheet.details, style.callout);
-  if (sheet.method) {
-    all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
+  if (sheet.symbol_at) {
+    all->layers.push_back(projection_symbol(*sheet.method, *sheet.symbol_at, style.callout));
   }
   if (options.annotations) {
-    lay_tables(*all, with_seen_rows(scene, style, options, *all), style.callout);
+    Annotations over = with_seen_rows(scene, style, options, *all);
+    if (over.title_block) over.title_block->method = sheet.method;
+    lay_tables(*all, over, style.callout);
     detail::hatch_areas(scene, {scene, style, options}, "legend", *all, context);
   }
   return *std::move(all);

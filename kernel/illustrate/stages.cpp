@@ -212,7 +212,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
   const auto& occluders = shaded.occluders;
   const Vec3 to_light = shaded.to_light;
   const Camera& camera = shaded.camera;
-  const bool pointed_at = options.annotations.has_value();
+  const auto& over = options.annotations;
+  // A title block alone is about no part.
+  const bool pointed_at = over && (!over->items.empty() || !over->title_block);
   const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
                        style.shadow.cast || style.shadow.ground;
   std::shared_ptr<std::optional<LightView>> light;
@@ -373,6 +375,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (labels.shadow && !labels.shadow->rings.empty()) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
+  lay_dimensions(drawing, camera, options.dimensions, style.dimension);
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
              context);

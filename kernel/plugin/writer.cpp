@@ -28,12 +28,13 @@ class Flat {
       for (const Text& text : layer.texts) {
         texts_.push_back({text.text.c_str(), text.at.x, text.at.y, text.height,
                           static_cast<std::int32_t>(text.anchor)});
+        turns_.push_back(text.turn);
       }
     }
     all_ = {d.paper_width,         d.paper_height, d.title.c_str(), d.ink_color.c_str(),
             d.paper_color.c_str(), parts_.size(),  parts_.data(),   paths_.size(),
             paths_.data(),         widths_.size(), points_.data(),  widths_.data(),
-            texts_.size(),         texts_.data()};
+            texts_.size(),         texts_.data(), turns_.data()};
   }
   Flat(const Flat&) = delete;
   Flat& operator=(const Flat&) = delete;
@@ -54,6 +55,7 @@ class Flat {
   std::vector<const char*> parts_;
   std::vector<burin_path> paths_;
   std::vector<burin_text> texts_;
+  std::vector<double> turns_;
   std::vector<double> points_, widths_;
   burin_drawing all_{};
 };

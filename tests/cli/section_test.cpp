@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -43,6 +46,58 @@ TEST_F(Sections, ThatCutNothingSaySo) {
   ASSERT_EQ(run("draw @/box.off --section +y=-1e3 -o @/a.json"), 2);
   EXPECT_NE(err_.find("takes all of it away"), std::string::npos) << err_;
   EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+}
+
+TEST_F(Sections, HaveViewsOfTheirOwn) {
+  ASSERT_EQ(
+      run("draw @/box.off --views front,top --section-view y=1 --section-view x --style outline "
+          "--verify -o @/a.json"),
+      0)
+      << err_;
+  const auto names = [&] {
+    const Json d = drawing();
+    std::vector<std::string> names;
+    for (const Json& view : d.at("views")) names.push_back(view.at("name"));
+    return names;
+  };
+  EXPECT_EQ(names(), (std::vector<std::string>{"front", "top", "A-A", "B-B"}));
+  EXPECT_NE(err_.find("verify: 0.0 of"), std::string::npos) << err_;
+  EXPECT_EQ(paths_of(drawing(), "section-plane"), 2U);
+  EXPECT_GT(paths_of(drawing(), "pattern"), 3U);
+  std::map<std::string, int> texts;
+  const Json d = drawing();
+  for (const Json& l : d.at("layers")) {
+    if (l.at("name") != "section-marks") continue;
+    for (const Json& text : l.at("texts")) ++texts[text.at("text")];
+  }
+  EXPECT_EQ(texts, (std::map<std::string, int>{{"A", 2}, {"A-A", 1}, {"B", 2}, {"B-B", 1}}));
+  // A file of it says the same.
+  ASSERT_EQ(
+      run("illustrate @/box.off --section-view y=1 --section-view x --views front,top --style "
+          "outline -o @/i.burin.json"),
+      0)
+      << err_;
+  const std::string once = test::slurp(folder_ / "a.json");
+  ASSERT_EQ(run("draw @/i.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_EQ(names(), (std::vector<std::string>{"front", "top", "A-A", "B-B"}));
+  EXPECT_EQ(Json::parse(once).at("layers"), drawing().at("layers"));
+}
+
+TEST_F(Sections, WithViewsOfTheirOwnSayWhatIsWrong) {
+  for (const char* bad : {"quarter", "w", "x,y", "y=1,x=2", ""}) {
+    ASSERT_EQ(run(std::string("draw @/box.off -o @/a.json --section-view=") + bad), 2) << bad;
+    EXPECT_NE(err_.find("--section-view"), std::string::npos) << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+  }
+  ASSERT_EQ(run("draw @/box.off --section-view y --paper fit -o @/a.json"), 2);
+  EXPECT_NE(err_.find("fixed size"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/box.off --section-view y --perspective 30 -o @/a.json"), 2);
+  EXPECT_NE(err_.find("--perspective"), std::string::npos) << err_;
+  folder_.write("a.burin.json",
+                R"({"burin": "illustration", "version": 1, "parts": [{"file": "box.off"}],
+    "section": [{"box": [[0, 0, 0], [1, 1, 1]], "view": true}]})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << err_;
+  EXPECT_NE(err_.find("one plane or in steps"), std::string::npos) << err_;
 }
 
 TEST_F(Sections, OfBadValuesAreOneLine) {

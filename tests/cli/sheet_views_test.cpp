@@ -1,9 +1,12 @@
 // Several views on one sheet and details at another scale, from the command line and from
 // illustration files.
+#include <burin/camera/view_grid.h>
+
 #include "models.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -73,6 +76,121 @@ class SheetViews : public test::CliTest {
     return nullptr;
   }
 };
+
+TEST_F(SheetViews, TakeAScaleOfIso5455WhereAsked) {
+  const auto scale_of = [&](const std::string& options) {
+    EXPECT_EQ(run("draw @/box.off --style outline -o @/a.json " + options), 0) << err_;
+    return drawing().at("view").at("scale").get<double>();
+  };
+  for (const char* views : {"", "--views front,top,left,iso ", "--detail 40,30,20,4=5:1 ",
+                            "--callouts --parts-list sheet "}) {
+    const double most = scale_of(views), iso = scale_of(std::string(views) + "--scale iso");
+    EXPECT_EQ(iso, standard_scale(most)) << views;
+  }
+  EXPECT_EQ(scale_of("--scale ISO --view front --paper A5"), 2);
+  EXPECT_EQ(run("draw @/box.off --scale iso --paper fit -o @/a.json"), 2);
+  EXPECT_NE(err_.find("--scale iso is the largest of ISO 5455 that fits on a sheet"), err_.npos)
+      << err_;
+  EXPECT_EQ(run("draw @/box.off --scale iso --perspective 30 -o @/a.json"), 2);
+  EXPECT_NE(err_.find("leave --scale iso out"), err_.npos) << err_;
+  folder_.write("a.burin.json",
+                R"({"burin": "illustration", "version": 1, "parts": [{"file": "box.off"}],
+ "view": {"from": "front", "scale": "iso"}, "details": [{"at": [40, 30, 20], "radius": 4,
+ "scale": "iso"}]})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json"), 0) << err_;
+  const double detail = drawing().at("views")[1].at("view").at("scale").get<double>();
+  EXPECT_NEAR(detail, standard_scale(detail * (1 + 1e-9)), 1e-9);
+}
+
+TEST_F(SheetViews, HaveATitleBlockWithTheirScaleAndMethod) {
+  ASSERT_EQ(run("draw @/box.off --views front,top --style outline --scale iso --title-block iso "
+                "--title-block-field number=A-1 --title-block-field author=Smith -o @/a.json "
+                "-o @/a.svg -o @/a.dxf"),
+            0)
+      << err_;
+  const Json first = drawing();
+  const Json* block = layer(first, "title_block");
+  ASSERT_NE(block, nullptr);
+  EXPECT_EQ(layer(first, "projection"), nullptr) << "it is in the block";
+  std::set<std::string> said;
+  Box2 all;
+  for (const Json& text : block->at("texts")) {
+    said.insert(text.at("text"));
+    EXPECT_EQ(text.at("role"), "title_block");
+  }
+  for (const Json& path : block->at("paths")) {
+    EXPECT_EQ(path.at("kind"), "frame");
+    for (const Json& p : path.at("points")) all.add(vec2(p));
+  }
+  for (const char* text : {"A-1", "Smith", "box", "box.off", "2:1"}) {
+    EXPECT_TRUE(said.contains(text)) << text;
+  }
+  EXPECT_EQ(all.min, Vec2(107, 10));
+  EXPECT_EQ(all.max, Vec2(287, 46));
+  for (const View& view : views_of(first)) EXPECT_FALSE(view.box.overlaps(all)) << view.name;
+  EXPECT_NE(test::slurp(folder_ / "a.svg").find("id=\"title_block\""), std::string::npos);
+  EXPECT_NE(test::slurp(folder_ / "a.dxf").find("\n2\ntitle_block\n"), std::string::npos);
+  const std::string svg = test::slurp(folder_ / "a.svg");
+  ASSERT_EQ(run("draw @/box.off --style outline --title-block iso -o @/a.json -o @/a.svg"), 0);
+  EXPECT_FALSE(drawing().contains("items"));
+  EXPECT_EQ(test::slurp(folder_ / "a.svg").find("\"areas\""), std::string::npos);
+}
+
+TEST_F(SheetViews, HaveTheTitleBlockOfAnIllustration) {
+  folder_.write("t.svg",
+                "<svg width='80mm' height='20mm' viewBox='0 0 80 20'><path d='M0 0h80v20h-80z' "
+                "stroke='#000'/><text id='title' x='2' y='8' font-size='5'>NAME</text>"
+                "<text id='number' x='2' y='16' font-size='5'>No.</text></svg>");
+  const auto drawn = [&](const std::string& block, const std::string& options = "") {
+    folder_.write("a.burin.json", R"({"burin": "illustration", "version": 1, "title": "Kiste",
+ "parts": [{"file": "box.off"}], "title_block": )" +
+                                      block + "}");
+    const int status = run("draw @/a.burin.json --style outline -o @/a.json " + options);
+    std::set<std::string> said;
+    if (status != 0) return said;
+    const Json now = drawing();
+    if (const Json* found = layer(now, "title_block")) {
+      for (const Json& text : found->at("texts")) said.insert(text.at("text"));
+    }
+    return said;
+  };
+  EXPECT_EQ(drawn(R"("t.svg")"), (std::set<std::string>{"Kiste", "No."}));
+  EXPECT_EQ(drawn(R"({"template": "t.svg", "number": "7"})"),
+            (std::set<std::string>{"Kiste", "7"}));
+  EXPECT_TRUE(drawn(R"({"number": "7", "company": "ACME"})").contains("ACME"));
+  // Options go over it, field by field.
+  const auto over = drawn(R"({"number": "7", "company": "ACME"})", "--title-block-field number=8");
+  EXPECT_TRUE(over.contains("8") && over.contains("ACME") && !over.contains("7"));
+  EXPECT_TRUE(drawn(R"({"number": "7"})", "--title-block none").empty());
+  EXPECT_EQ(err_.find("title-block"), std::string::npos) << err_;
+  drawn(R"({"numbr": "7"})");
+  EXPECT_NE(err_.find("a.burin.json:2: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("number"), std::string::npos) << err_;
+  drawn(R"({"sheet": 1})");
+  EXPECT_NE(err_.find("a.burin.json:2: \"sheet\" takes text"), std::string::npos) << err_;
+  drawn(R"("x.svg")");
+  EXPECT_NE(err_.find("x.svg: there is no such drawing"), std::string::npos) << err_;
+}
+
+TEST_F(SheetViews, RefuseWhatIsNoTitleBlockInOneLine) {
+  const auto refused = [&](const std::string& options, int status, const std::string& says) {
+    EXPECT_EQ(run("draw @/box.off -o @/a.json " + options), status) << options;
+    EXPECT_NE(err_.find(says), std::string::npos) << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+  };
+  refused("--title-block isoo", 2, "--title-block takes iso, none or FILE.svg, not 'isoo'");
+  refused("--title-block @", 2, "--title-block takes iso, none or FILE.svg");
+  refused("--title-block @/none.svg", 3, "none.svg: there is no such drawing");
+  folder_.write("bad.svg", "<svg>\n<g></svg>");
+  refused("--title-block @/bad.svg", 3, "bad.svg:2: bad XML");
+  refused("--title-block iso --title-block-field nubmer=1", 2, "with a name of title, ");
+  ASSERT_EQ(run("draw @/box.off --style outline --title-block-field number=1 -o @/a.json"), 0);
+  EXPECT_NE(err_.find("--title-block-field has no effect without"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/box.off --style outline --paper 105x74 --title-block iso -o @/a.json"), 0);
+  EXPECT_NE(err_.find("does not fit beside the drawing on a sheet of 105 x 74 mm"),
+            std::string::npos)
+      << err_;
+}
 
 TEST_F(SheetViews, StandAboutTheFrontViewAtOneScale) {
   ASSERT_EQ(run("draw @/box.off --views front,top,left,iso --style outline --verify -o @/a.json"),

@@ -11,6 +11,10 @@ std::string read_svg_lines(const std::filesystem::path& path) {
   throw InputError(needs("pictures that a style names", kWithPictures), path.string());
 }
 
+TitleBlockLayout read_title_block(const std::filesystem::path& path) {
+  throw InputError(needs("templates of title blocks", kWithPictures), path.string());
+}
+
 Image read_png(const std::filesystem::path& path) {
   throw InputError(needs("pictures that a style names", kWithPictures), path.string());
 }

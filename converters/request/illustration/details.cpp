@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/converters/values.h>
 
 #include "detail_option.h"
@@ -36,7 +37,9 @@ const std::vector<KeyRow<DetailView>>& detail_rows() {
            [](const KeyedFile& in, const Json& value, const std::string& path, DetailView& detail) {
              const std::string given = option_text(value);
              in.check(draw_rows(), "scale", {given}, path, "scale");
-             detail.scale = scale_option("scale", given, 1 / kLarge, kLarge);
+             if (!equal_but_for_case(given, kIsoScale)) {  // which it has without one
+               detail.scale = scale_option("scale", given, 1 / kLarge, kLarge);
+             }
            }},
       text_row("letter", "its letter (default: the next of A, B, C ...)", &DetailView::letter),
   };

@@ -114,11 +114,12 @@ Json write_parts_list(const IllustrationFile& file) {
 
 const std::vector<IllustrationKey>& illustration_keys() {
   static const std::vector<IllustrationKey> keys = {
-      {"view.from", "view"},      {"view.up", "up"},         {"view.perspective", "perspective"},
-      {"view.scale", "scale"},    {"view.center", "center"}, {"paper.size", "paper"},
-      {"paper.margin", "margin"}, {"hidden", "hidden"},      {"centre_lines", "centre_lines"},
-      {"tolerance", "tolerance"}, {"seed", "seed"},          {"callouts", "callouts"},
-      {"legend", "legend"},       {"views", "views"},        {"projection", "projection"},
+      {"view.from", "view"},        {"view.up", "up"},         {"view.perspective", "perspective"},
+      {"view.scale", "scale"},      {"view.center", "center"}, {"paper.size", "paper"},
+      {"paper.margin", "margin"},   {"hidden", "hidden"},      {"centre_lines", "centre_lines"},
+      {"tolerance", "tolerance"},   {"seed", "seed"},          {"callouts", "callouts"},
+      {"legend", "legend"},         {"views", "views"},        {"projection", "projection"},
+      {"dimensions", "dimensions"},
   };
   return keys;
 }
@@ -166,6 +167,10 @@ const std::vector<Row>& rows_of_file() {
          .schema = {{"description", "a parts list on the sheet"}, {"const", "sheet"}},
          .read = take_parts_list,
          .write = write_parts_list},
+        {.name = "title_block",
+         .schema = title_block_schema(),
+         .read = take_title_block,
+         .write = [](const File& file) { return write_title_block(file.request.options); }},
         group_row("view"),
         paper_row(),
         {.name = "section",

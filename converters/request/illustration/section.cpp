@@ -110,7 +110,19 @@ Json corners_schema() {
   return box;
 }
 
-/// What goes, of which a section has one, and what stays whole.
+/// true, or the letter.
+void read_own_view(const KeyedFile& in, const Json& value, const std::string& path,
+                   Section& section) {
+  if (value.is_boolean()) {
+    section.own_view = value.get<bool>();
+    return;
+  }
+  section.letter = in.text(value, path);
+  if (section.letter.empty()) in.fail(path, "takes a letter, true or false");
+  section.own_view = true;
+}
+
+/// What goes, of which a section has one, what stays whole, and whether it has a view of its own.
 const std::vector<KeyRow<Section>>& section_rows_of_file() {
   static const std::vector<KeyRow<Section>> rows = {
       {.name = "plane",
@@ -152,15 +164,23 @@ const std::vector<KeyRow<Section>>& section_rows_of_file() {
                            "without it: those that drawings leave whole by custom"),
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
                   Section& section) { section.exclude = in.text_list(value, path); }},
+      {.name = "view",
+       .schema = {{"anyOf",
+                   {{{"type", "boolean"}},
+                    text("the letter of a view of its own: \"A\" for A-A; true: the next one")}}},
+       .read = read_own_view},
   };
   return rows;
 }
+
+/// Whether a row says what goes.
+bool is_kind(const std::string& name) { return name != "exclude" && name != "view"; }
 
 /// The rows of what goes.
 std::vector<std::string> kinds_of(const Json& section) {
   std::vector<std::string> kinds;
   for (const KeyRow<Section>& row : section_rows_of_file()) {
-    if (row.name != "exclude" && section.contains(row.name)) kinds.push_back(row.name);
+    if (is_kind(row.name) && section.contains(row.name)) kinds.push_back(row.name);
   }
   return kinds;
 }
@@ -174,6 +194,10 @@ Section section(const KeyedFile& in, const Json& value, const std::string& path)
   }
   Section section;
   read_members(section_rows_of_file(), in, value, path, section);
+  const bool shown_once = section.steps || section.planes.size() == 1;
+  if (section.own_view && !shown_once) {
+    in.fail(path, "a \"view\" of its own is cut by one plane or in steps");
+  }
   return section;
 }
 
@@ -193,7 +217,7 @@ void take_sections(const KeyedFile& in, const Json& value, const std::string& pa
 Json section_schema() {
   Json section = object_schema(section_rows_of_file());
   std::vector<std::string> kinds = names_of(section_rows_of_file());
-  std::erase(kinds, "exclude");
+  std::erase_if(kinds, [](const std::string& name) { return !is_kind(name); });
   section["oneOf"] = either(kinds);
   return one_or_list_of({{"anyOf", {text_schema(), section}}});
 }

@@ -68,6 +68,9 @@ Json write_sections(const Request& options) {
     sections.push_back(Json::object());
     sections.back()["plane"] = section;
   }
+  for (const auto given = given_texts(options, "section_view"); const std::string& text : given) {
+    sections.push_back({{"plane", text}, {"view", true}});
+  }
   const auto numbers = [&](const char* option) {
     const std::vector<std::string> texts = given_texts(options, option);
     return texts.empty() ? Json() : Json::parse("[" + texts.back() + "]");
@@ -130,8 +133,8 @@ std::vector<LookRequest> looks_of(const Request& options) {
 /// As people read it: what is drawn, the view and the sheet, then how it is drawn.
 int place_of(const std::string& key) {
   constexpr std::array kFirst{"burin", "version", "extends", "title", "parts"};
-  constexpr std::array kLast{"style",   "lights", "section",    "explode",
-                             "details", "looks",  "parts_list", "items"};
+  constexpr std::array kLast{"style", "lights",     "section",     "explode", "details",
+                             "looks", "parts_list", "title_block", "items"};
   const auto first = std::ranges::find(kFirst, key), last = std::ranges::find(kLast, key);
   if (first != kFirst.end()) return static_cast<int>(first - kFirst.begin());
   constexpr int kOthers = 100;
@@ -159,6 +162,10 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   }
   for (LookRequest& look : file.request.looks) {
     if (is_style_file(look.style)) look.style = seen_from(folder, look.style);
+  }
+  if (Request& options = file.request.options; options.contains("title_block")) {
+    std::string& block = options["title_block"].back();
+    if (fs::path(block).has_extension()) block = seen_from(folder, block);
   }
   for (LookRequest& look : looks_of(request.options)) file.request.looks.push_back(std::move(look));
   file.request.explode.steps = steps;

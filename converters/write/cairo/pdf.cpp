@@ -3,6 +3,7 @@
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
+#include "letters.h"
 #include "pdf_date.h"
 #include "shapes.h"
 #include "writers.h"
@@ -62,6 +63,10 @@ void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together, Rgb&
       continue;
     }
     if (shapes[i].color != used) use(pen, used = shapes[i].color);
+    if (shapes[i].text) {
+      show_letters(pen, *shapes[i].text);
+      continue;
+    }
     trace(pen, shapes[i]);
     shapes[i].ink.chains = {};
     ++traced;
@@ -95,7 +100,7 @@ void paint_page(cairo_surface_t* surface, const Drawing& drawing, const WriteOpt
   }
   for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
     const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
-    fit_ink(some, options.svg.fit_tolerance, context);
+    fit_ink(some, options.svg.fit_tolerance, TextsAs::Letters, context);
     paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1, used);
     context.check();
     progress.report(static_cast<double>(begin) / static_cast<double>(shapes.size()));

@@ -3,6 +3,7 @@
 #include <burin/drawing/title.h>
 
 #include "pdf_date.h"
+#include "pdf_letters.h"
 #include "pdf_objects.h"
 #include "shapes.h"
 #include "writers.h"
@@ -21,8 +22,6 @@
 
 namespace burin {
 namespace {
-
-constexpr int kDecimals = 3;  // of paper mm
 
 /// The opacity of an area as states of the pen have it.
 long percent(const Area& area) { return std::lround(100 * area.opacity); }
@@ -58,7 +57,8 @@ class Inks {
     return static_cast<std::size_t>(ink - inks_.begin());
   }
 
-  std::string resources() const {
+  /// `fonts`: what `PdfLetters::write` returns.
+  std::string resources(const std::string& fonts) const {
     std::string spaces, states;
     for (std::size_t i = 0; i < inks_.size(); ++i) {
       const Rgb rgb = rgb_of(inks_[i].color).value_or(Rgb{});
@@ -72,8 +72,8 @@ class Inks {
     }
     return fmt::format(
         "<< /ColorSpace <<{} >> /ExtGState << /Over << /OP true /op true /OPM 1 >> /Knock << /OP "
-        "false /op false >>{} >> >>",
-        spaces, states);
+        "false /op false >>{} >> /Font {} >>",
+        spaces, states, fonts);
   }
 
  private:
@@ -84,7 +84,8 @@ class Inks {
 /// The operators of one page.
 class Page {
  public:
-  Page(const Drawing& drawing, const Inks& inks) : inks_(inks) {
+  Page(const Drawing& drawing, const Inks& inks, PdfLetters& letters)
+      : inks_(inks), letters_(letters) {
     for (const Area& area : drawing.areas) of_parts_.try_emplace(area.part, area.ink);
     append(out_, fmt::format("{0:.6f} 0 0 {0:.6f} 0 0 cm 1 J 1 j\n", kPointsPerMm));
     if (drawing.paper_color == Drawing().paper_color) return;
@@ -95,6 +96,7 @@ class Page {
   void add(const Shape& shape) {
     if (shape.area) return add(*shape.area, shape.color);
     use_line(shape);
+    if (shape.text) return letters_.show(*shape.text, out_);
     for (const auto& chain : shape.ink.chains) {
       const Vec2 start = chain.empty() ? shape.path->points.front() : chain.front()[0];
       point(start, 'm');
@@ -172,7 +174,7 @@ class Page {
   }
   void use_width(double width) {
     if (width == width_) return;
-    append_fixed(out_, width_ = width, kDecimals);
+    append_fixed(out_, width_ = width, kPdfDecimals);
     append(out_, " w\n");
   }
   void use_dashes(const std::vector<double>& dashes) {
@@ -180,16 +182,16 @@ class Page {
     dashes_ = dashes;
     append(out_, "[");
     for (const double length : dashes) {
-      append_fixed(out_, length, kDecimals);
+      append_fixed(out_, length, kPdfDecimals);
       append(out_, " ");
     }
     append(out_, "] 0 d\n");
   }
 
   void numbers(Vec2 p) {
-    append_fixed(out_, p.x, kDecimals);
+    append_fixed(out_, p.x, kPdfDecimals);
     append(out_, " ");
-    append_fixed(out_, p.y, kDecimals);
+    append_fixed(out_, p.y, kPdfDecimals);
     append(out_, " ");
   }
   void point(Vec2 p, char how) {
@@ -199,6 +201,7 @@ class Page {
   }
 
   const Inks& inks_;
+  PdfLetters& letters_;
   /// What parts are printed in; empty: no spot ink.
   std::map<std::int32_t, std::string> of_parts_;
   Buffer out_;
@@ -207,14 +210,14 @@ class Page {
   std::vector<double> dashes_;
 };
 
-std::string painted_inks(const Drawing& drawing, const Inks& inks, const WriteOptions& options,
-                         const RunContext& context) {
+std::string painted_inks(const Drawing& drawing, const Inks& inks, PdfLetters& letters,
+                         const WriteOptions& options, const RunContext& context) {
   const NearSheet sheet(drawing);
   std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
-  Page page(drawing, inks);
+  Page page(drawing, inks, letters);
   for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
     const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
-    fit_ink(some, options.svg.fit_tolerance, context);
+    fit_ink(some, options.svg.fit_tolerance, TextsAs::Letters, context);
     for (Shape& shape : some) {
       page.add(shape);
       shape.ink.chains = {};
@@ -241,7 +244,7 @@ void write_pdf_with_inks(std::span<const Drawing* const> pages, const WriteOptio
                     resources = file.reserve();
   file.write(catalog, fmt::format("<< /Type /Catalog /Pages {} 0 R >>", tree));
   file.write(info, info_of(*pages.front()));
-  file.write(resources, inks.resources());
+  PdfLetters letters;
   std::string kids;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::size_t page = file.reserve(), content = file.reserve();
@@ -250,11 +253,12 @@ void write_pdf_with_inks(std::span<const Drawing* const> pages, const WriteOptio
                                  "/Resources {} 0 R /Contents {} 0 R >>",
                                  tree, pages[i]->paper_width * kPointsPerMm,
                                  pages[i]->paper_height * kPointsPerMm, resources, content));
-    file.write_stream(content, painted_inks(*pages[i], inks, options, context));
+    file.write_stream(content, painted_inks(*pages[i], inks, letters, options, context));
     if (options.progress) {
       options.progress(static_cast<double>(i + 1) / static_cast<double>(pages.size()));
     }
   }
+  file.write(resources, inks.resources(letters.write(file)));
   file.write(tree, fmt::format("<< /Type /Pages /Kids [{}] /Count {} >>", kids, pages.size()));
   file.finish(catalog, info);
 }

@@ -20,9 +20,9 @@ std::string pdf_name(std::string_view text) {
   return out;
 }
 
-std::string pdf_text(std::string_view utf8) {
+std::string utf16_hex(std::string_view utf8) {
   constexpr char32_t kBeyond = 0x10000;
-  std::string out = "<FEFF";
+  std::string out;
   for (const char32_t c : code_points(utf8)) {
     if (c < kBeyond) {
       out += fmt::format("{:04X}", static_cast<std::uint32_t>(c));
@@ -31,8 +31,10 @@ std::string pdf_text(std::string_view utf8) {
       out += fmt::format("{:04X}{:04X}", 0xD800 + (rest >> 10), 0xDC00 + (rest & 0x3FF));
     }
   }
-  return out + ">";
+  return out;
 }
+
+std::string pdf_text(std::string_view utf8) { return "<FEFF" + utf16_hex(utf8) + ">"; }
 
 PdfObjects::PdfObjects(std::ostream& out) : out_(out) {
   // Bytes over 127 tell programs that the file is no text.

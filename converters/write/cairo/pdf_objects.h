@@ -13,8 +13,13 @@
 
 namespace burin {
 
+/// Of paper mm, and of units of a font.
+inline constexpr int kPdfDecimals = 3;
+
 /// "/Name" with what names cannot hold as #xx.
 std::string pdf_name(std::string_view text);
+/// UTF-16, its first byte first, as hexadecimal digits.
+std::string utf16_hex(std::string_view utf8);
 /// A string in UTF-16 as <hex>.
 std::string pdf_text(std::string_view utf8);
 

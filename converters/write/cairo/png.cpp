@@ -248,7 +248,7 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
   const Grid grid(drawing, png.dpi);
   const NearSheet sheet(drawing);
   std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
-  fit_ink(shapes, options.svg.fit_tolerance, context);
+  fit_ink(shapes, options.svg.fit_tolerance, TextsAs::Outlines, context);
   const auto chosen = by_band(shapes, grid, drawing.paper_height);
   PngFile file(out, grid, drawing, png);
   for (int begin = 0; begin < grid.bands; begin += kBandsAtOnce) {

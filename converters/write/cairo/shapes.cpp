@@ -29,14 +29,14 @@ std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing&
   return shapes;
 }
 
-void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context) {
+void fit_ink(std::span<Shape> shapes, double tolerance, TextsAs texts, const RunContext& context) {
   constexpr std::size_t kGrain = 32;
   parallel_for(
       shapes.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const Shape& s = shapes[i];
-          if (s.area) continue;
+          if (s.area || (s.text && texts == TextsAs::Letters)) continue;
           shapes[i].ink = s.path ? ink_of(*s.path, tolerance) : text_ink(*s.text);
         }
       },
@@ -116,7 +116,7 @@ void use(cairo_t* pen, const Rgb& color, double opacity) {
 }
 
 bool same_pen(const Shape& a, const Shape& b) {
-  if (a.color != b.color || a.area || b.area) return false;
+  if (a.color != b.color || a.area || b.area || a.text || b.text) return false;
   if (a.ink.filled || b.ink.filled) return a.ink.filled && b.ink.filled;
   return a.ink.width == b.ink.width && a.dashes == b.dashes;
 }

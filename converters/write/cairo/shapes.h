@@ -46,8 +46,11 @@ struct Shape {
 std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing& drawing,
                              const DashOptions& options);
 
-/// Fits the ink of some shapes, all cores. Throws Cancelled.
-void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
+/// What a format has for texts.
+enum class TextsAs { Outlines, Letters };
+
+/// Fits the ink of some shapes, all cores; texts that are letters have none. Throws Cancelled.
+void fit_ink(std::span<Shape> shapes, double tolerance, TextsAs texts, const RunContext& context);
 
 /// The colour that a pen paints in from now on.
 void use(cairo_t* pen, const Rgb& color, double opacity = 1);

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// A page a drawing, of its sheet's size, no fonts; what the file is called is what the first is.
+/// A page a drawing, of its sheet's size, texts as letters of the embedded font; what the file is
+/// called is what the first is.
 void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
                std::ostream& out, const RunContext& context);
 

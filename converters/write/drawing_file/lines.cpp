@@ -142,6 +142,10 @@ Text read_text(const JsonPlace& place) {
     }
     anchor.fail("takes \"start\", \"middle\" or \"end\"");
   });
+  place.optional("turn", [&](const JsonPlace& turn) {
+    turn.set(text.turn);
+    if (!(std::abs(text.turn) <= 360)) turn.fail("takes degrees from -360 to 360");
+  });
   place.member("role", text.role);
   place.member("item", text.item);
   return text;

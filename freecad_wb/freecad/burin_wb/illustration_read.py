@@ -89,10 +89,12 @@ def _view(told, notes):
     view = told["view"]
     values = {"ViewDirection": FreeCAD.Vector(*view["from"]), "ViewUp": FreeCAD.Vector(*view["up"]),
               "Projection": "Orthographic" if view["perspective"] is None else "Perspective",
-              "FitScale": view["scale"] is None}
+              "FitScale": view["scale"] in (None, "iso")}
     if view["perspective"] is not None:
         values["FieldOfView"] = view["perspective"]
-    if view["scale"] is not None:
+    if view["scale"] == "iso":
+        notes.append("view.scale: the drawing fills the sheet here, or has a number")
+    elif view["scale"] is not None:
         values["Scale"] = view["scale"]
     if view["center"] is not None:
         notes.append("view.center: the drawing is in the middle of the sheet here")
@@ -107,6 +109,8 @@ def _sheet(told, notes):
         notes.append(f"paper.margin: one for all sides here, {max(margins):g} mm is taken")
     if told["seed"] > MOST_SEED:
         notes.append(f"seed: {MOST_SEED} at most here, which is taken")
+    if told["title_block"] is not None:
+        notes.append("title_block: the template of a page has it here")
     if size == "fit":
         size = preferences.sheet()
         notes.append("paper.size: no sheet fits itself to the drawing here, {:g} x {:g} mm of new illustrations are taken"

@@ -96,6 +96,15 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
   append_fixed(out, text.at.x, 3);
   append(out, "\" y=\"");
   append_fixed(out, paper_height - text.at.y, 3);
+  if (text.turn != 0) {
+    append(out, "\" transform=\"rotate(");
+    append_fixed(out, -text.turn, 6);
+    append(out, " ");
+    append_fixed(out, text.at.x, 3);
+    append(out, " ");
+    append_fixed(out, paper_height - text.at.y, 3);
+    append(out, ")");
+  }
   append(out, "\" font-size=\"");
   append_fixed(out, font_size(text.height), 3);
   append(out, fmt::format("\" font-family=\"{}, sans-serif\" text-anchor=\"{}\" fill=\"{}\" "

@@ -3,12 +3,14 @@
 #include <burin/drawing/path_data.h>
 #include <burin/drawing/text.h>
 
-#include "font_data.h"
-
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "../turned.h"
+
+#include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -19,7 +21,7 @@ namespace {
 /// A letter in units of the font.
 struct Glyph {
   double advance = 0;
-  bool known = false;
+  FT_UInt index = 0;
   std::vector<std::vector<CubicBezier>> chains;
 };
 
@@ -81,7 +83,7 @@ class Font {
 
  private:
   Font() {
-    const auto bytes = font_data();
+    const auto bytes = font_file();
     if (FT_Init_FreeType(&library_) != 0 ||
         FT_New_Memory_Face(library_, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face_) !=
             0) {
@@ -98,9 +100,8 @@ class Font {
   }
 
   void load(char32_t character, Glyph& glyph) {
-    const FT_UInt index = FT_Get_Char_Index(face_, character);
-    glyph.known = index != 0;
-    if (FT_Load_Glyph(face_, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
+    glyph.index = FT_Get_Char_Index(face_, character);
+    if (FT_Load_Glyph(face_, glyph.index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
     glyph.advance = static_cast<double>(face_->glyph->metrics.horiAdvance);
     FT_Outline_Funcs calls{&Tracer::move, &Tracer::line, &Tracer::conic, &Tracer::cubic, 0, 0};
     Tracer tracer{glyph};
@@ -121,13 +122,25 @@ std::vector<const Glyph*> glyphs_of(std::string_view text) {
   return glyphs;
 }
 
+/// From its place to where it begins, along the text.
 double start_of(const Text& text) {
-  if (text.anchor == TextAnchor::Start) return text.at.x;
+  if (text.anchor == TextAnchor::Start) return 0;
   const double width = text_width(text.text, text.height);
-  return text.at.x - (text.anchor == TextAnchor::Middle ? 0.5 : 1) * width;
+  return (text.anchor == TextAnchor::Middle ? -0.5 : -1) * width;
 }
 
 }  // namespace
+
+Vec2 way_of(const Text& text) {
+  // Quarter turns are exact, so that their texts are the same on any machine.
+  const double quarters = text.turn / 90;
+  if (quarters == std::round(quarters)) {
+    constexpr std::array<Vec2, 4> kWays{Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
+    return kWays[static_cast<std::size_t>(std::fmod(std::fmod(quarters, 4) + 4, 4))];
+  }
+  const double angle = glm::radians(text.turn);
+  return {std::cos(angle), std::sin(angle)};
+}
 
 double font_size(double height) { return height * Font::get().em() / Font::get().capital(); }
 
@@ -139,7 +152,7 @@ double text_width(std::string_view text, double height) {
 
 std::size_t missing_glyphs(std::string_view text) {
   std::size_t missing = 0;
-  for (const Glyph* glyph : glyphs_of(text)) missing += glyph->known ? 0 : 1;
+  for (const Glyph* glyph : glyphs_of(text)) missing += glyph->index != 0 ? 0 : 1;
   return missing;
 }
 
@@ -157,19 +170,32 @@ std::string fitted_text(std::string_view text, double height, double width) {
   return kept + dots;
 }
 
+std::vector<PlacedLetter> placed_letters(const Text& text) {
+  std::vector<PlacedLetter> letters;
+  const double scale = text.height / Font::get().capital();
+  const Vec2 way = way_of(text);
+  Vec2 at = text.at + start_of(text) * way;
+  for (const char32_t c : code_points(text.text)) {
+    const Glyph& glyph = Font::get().glyph(c);
+    letters.push_back({c, glyph.index, at, scale * glyph.advance});
+    at += scale * glyph.advance * way;
+  }
+  return letters;
+}
+
 Ink text_ink(const Text& text) {
   Ink ink;
   ink.filled = true;
   const double scale = text.height / Font::get().capital();
-  Vec2 at(start_of(text), text.at.y);
-  for (const Glyph* glyph : glyphs_of(text.text)) {
-    for (const auto& chain : glyph->chains) {
+  const Vec2 right = scale * way_of(text), up = turned_left(right);
+  for (const PlacedLetter& letter : placed_letters(text)) {
+    for (const auto& chain : Font::get().glyph(letter.character).chains) {
       auto& out = ink.chains.emplace_back();
+      const auto placed = [&](Vec2 p) { return letter.at + p.x * right + p.y * up; };
       for (const CubicBezier& c : chain) {
-        out.push_back({at + scale * c[0], at + scale * c[1], at + scale * c[2], at + scale * c[3]});
+        out.push_back({placed(c[0]), placed(c[1]), placed(c[2]), placed(c[3])});
       }
     }
-    at.x += scale * glyph->advance;
   }
   return ink;
 }
@@ -184,10 +210,13 @@ std::vector<std::vector<Vec2>> text_outlines(const Text& text, double tolerance)
 
 Box2 text_box(const Text& text) {
   constexpr double kTail = 0.35;
-  const double x = start_of(text);
+  const double from = start_of(text), to = from + text_width(text.text, text.height);
+  const Vec2 right = way_of(text), up = turned_left(right);
   Box2 box;
-  box.add(Vec2(x, text.at.y - kTail * text.height));
-  box.add(Vec2(x + text_width(text.text, text.height), text.at.y + (1 + kTail) * text.height));
+  for (const double x : {from, to}) {
+    for (const double y : {-kTail * text.height, (1 + kTail) * text.height})
+      box.add(text.at + x * right + y * up);
+  }
   return box;
 }
 

@@ -1,6 +1,8 @@
+#include <burin/annotate/letters.h>
 #include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
+#include <burin/drawing/views.h>
 #include <burin/section/section.h>
 
 #include "left_whole.h"
@@ -10,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -44,10 +48,34 @@ class SectionRegions {
   }
   /// How it misses.
   const std::string& missed() const { return missed_; }
+  /// Where it cuts, of one that has a view of its own. Throws UsageError where that is no plane and
+  /// no steps.
+  SectionView view() const {
+    if (section_.around || (section_.planes.size() > 1 && !section_.steps)) {
+      throw UsageError(section_.place +
+                       "a section with a view of its own is cut by one plane or in steps");
+    }
+    const PlacedPlane first = placed_plane(section_.planes.front());
+    SectionView view;
+    view.direction = static_cast<double>(first.side) * first.axis;
+    view.axis = first.axis;
+    view.place = section_.place;
+    for (std::size_t i = 0; i < section_.planes.size(); ++i) {
+      const PlacedPlane plane = placed_plane(section_.planes[i]);
+      (i % 2 == 0 ? view.faces : view.ends).push_back(plane.offset);
+      if (i == 1) view.across = plane.axis;
+    }
+    return view;
+  }
 
  private:
   PlacedPlane placed_plane(const SectionPlane& text) const {
-    const double to_viewer = glm::dot(text.axis, illustration_.view.direction);
+    constexpr double kAcross = 1e-6;  // radians
+    double to_viewer = glm::dot(text.axis, glm::normalize(illustration_.view.direction));
+    // A view of its own looks at the plane, and so as most views do where that of the sheet does
+    // not.
+    if (section_.own_view && std::abs(to_viewer) < kAcross)
+      to_viewer = glm::dot(text.axis, named_view("iso").direction);
     PlacedPlane plane = along(text.axis);
     plane.offset = text.offset.value_or(0.5 * (plane.low + plane.high));
     plane.side = text.side != 0 ? text.side : to_viewer >= 0 ? 1 : -1;
@@ -257,36 +285,94 @@ class Custom {
   std::vector<bool> reported_;
 };
 
+/// Cuts parts by sections, one after the other; each cut face has a number.
+class Cutting {
+ public:
+  Cutting(const Illustration& illustration, Custom& custom)
+      : illustration_(illustration), custom_(custom) {}
+
+  /// Whether it cut anything.
+  bool cut(Scene& scene, const Section& section, SectionRegions& places) {
+    const std::vector<CutRegion> regions = places.find();
+    if (regions.empty()) {
+      scene.diagnostics.add(Severity::Warning, "section.missed", 1, places.missed());
+      return false;
+    }
+    if (!any_reaches_into(scene, illustration_, regions)) {
+      scene.diagnostics.add(Severity::Warning, "section.missed", 1,
+                            section.place + "the section reaches into no part, cuts nothing");
+      return false;
+    }
+    std::vector<bool> uncut = uncut_parts(scene, section, illustration_);
+    if (!illustration_.uncut && !section.exclude) uncut = custom_.whole(regions);
+    for (const CutRegion& region : regions) {
+      for (std::size_t part = 0; part < scene.parts.size(); ++part) {
+        Part& one = scene.parts[part];
+        if (!uncut[part]) one.form = cut_form(one.form, region, number_, one.name);
+      }
+      number_ += static_cast<std::int32_t>(region.size());
+    }
+    return true;
+  }
+
+ private:
+  const Illustration& illustration_;
+  Custom& custom_;
+  std::int32_t number_ = 0;
+};
+
+/// The letters that sections with views of their own have.
+std::vector<std::string> section_letters(const Illustration& illustration) {
+  std::vector<std::string> taken, letters;
+  const auto take = [&](const std::string& letter, const std::string& place) {
+    if (letter.empty()) return;
+    if (std::ranges::find(taken, letter) != taken.end()) {
+      throw UsageError(
+          fmt::format("{}two places of the sheet have the letter '{}'", place, letter));
+    }
+    taken.push_back(letter);
+  };
+  for (const Section& section : illustration.sections) take(section.letter, section.place);
+  for (const DetailView& detail : illustration.details) take(detail.letter, detail.place);
+  for (const Section& section : illustration.sections) {
+    if (!section.own_view) continue;
+    letters.push_back(section.letter.empty() ? next_letter(taken) : section.letter);
+    taken.push_back(letters.back());
+  }
+  return letters;
+}
+
 }  // namespace
 
-void cut_parts(Scene& scene, const Illustration& illustration) {
+void cut_parts(Scene& scene, Illustration& illustration) {
   constexpr std::size_t kMostSections = 16;
   if (illustration.sections.size() > kMostSections) {
     throw UsageError("more than 16 sections; each takes something away");
   }
+  illustration.section_views.clear();
   if (illustration.sections.empty()) return;
   Custom custom(scene, illustration);
-  std::int32_t number = 0;
+  Cutting all(illustration, custom);
   for (const Section& section : illustration.sections) {
+    if (section.own_view) continue;
     SectionRegions places(scene, illustration, section);
-    const std::vector<CutRegion> regions = places.find();
-    if (regions.empty()) {
-      scene.diagnostics.add(Severity::Warning, "section.missed", 1, places.missed());
-      continue;
-    }
-    if (!any_reaches_into(scene, illustration, regions)) {
-      scene.diagnostics.add(Severity::Warning, "section.missed", 1,
-                            section.place + "the section reaches into no part, cuts nothing");
-      continue;
-    }
-    std::vector<bool> uncut = uncut_parts(scene, section, illustration);
-    if (!illustration.uncut && !section.exclude) uncut = custom.whole(regions);
-    for (const CutRegion& region : regions) {
-      for (std::size_t part = 0; part < scene.parts.size(); ++part) {
-        Part& one = scene.parts[part];
-        if (!uncut[part]) one.form = cut_form(one.form, region, number, one.name);
-      }
-      number += static_cast<std::int32_t>(region.size());
+    all.cut(scene, section, places);
+  }
+  const std::vector<std::string> letters = section_letters(illustration);
+  std::size_t lettered = 0;
+  for (const Section& section : illustration.sections) {
+    if (!section.own_view) continue;
+    SectionRegions places(scene, illustration, section);
+    Scene own = scene;
+    own.diagnostics = {};
+    Cutting alone = all;
+    SectionView view = places.view();
+    view.letter = letters[lettered++];
+    if (alone.cut(own, section, places)) {
+      view.scene = std::make_shared<Scene>(std::move(own));
+      illustration.section_views.push_back(std::move(view));
+    } else {
+      append_new(own.diagnostics, scene.diagnostics);
     }
   }
   custom.report(scene.diagnostics);

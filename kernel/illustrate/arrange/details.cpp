@@ -1,5 +1,6 @@
 #include "details.h"
 
+#include <burin/annotate/letters.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/camera/view_grid.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace burin::detail {
@@ -23,8 +23,6 @@ constexpr double kGap = 8;
 /// Of the frame's area: what the drawing keeps.
 constexpr double kLeast = 0.25;
 constexpr std::size_t kMostDetails = 23;
-/// ISO 128-3: letters but I, O and Q.
-constexpr std::string_view kLetters = "ABCDEFGHJKLMNPRSTUVWXYZ";
 
 struct Round {
   Vec3 at{0};
@@ -58,10 +56,7 @@ Round about_parts(const Scene& scene, const DetailView& detail, const Mat3& axes
 std::string letter_of(const DetailView& detail, std::vector<std::string>& taken) {
   std::string letter = detail.letter;
   if (letter.empty()) {
-    for (const char c : kLetters) {
-      letter = std::string(1, c);
-      if (std::ranges::find(taken, letter) == taken.end()) break;
-    }
+    letter = next_letter(taken);
   } else if (std::ranges::find(taken, letter) != taken.end()) {
     throw UsageError(fmt::format("{}two details have the letter '{}'", detail.place, letter));
   }
@@ -133,11 +128,11 @@ std::optional<Strip> strip_above_list(const std::vector<double>& diameters, doub
 }  // namespace
 
 std::vector<PlannedDetail> plan_details(const Scene& scene, const std::vector<DetailView>& details,
-                                        const Mat3& axes, double shorter_side) {
+                                        const Mat3& axes, double shorter_side,
+                                        std::vector<std::string> taken) {
   if (details.size() > kMostDetails) {
     throw UsageError("more than 23 details, for which there are no letters");
   }
-  std::vector<std::string> taken;
   for (const DetailView& detail : details) {
     if (!detail.letter.empty()) taken.push_back(detail.letter);
   }

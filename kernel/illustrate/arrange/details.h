@@ -25,9 +25,11 @@ struct PlannedDetail {
 };
 
 /// What each detail shows in a view with these axes (rows), at which scale, under which letter.
-/// `shorter_side`: paper mm of the sheet without its margin. Throws UsageError.
+/// `shorter_side`: paper mm of the sheet without its margin. `taken`: letters that others have.
+/// Throws UsageError.
 std::vector<PlannedDetail> plan_details(const Scene& scene, const std::vector<DetailView>& details,
-                                        const Mat3& axes, double shorter_side);
+                                        const Mat3& axes, double shorter_side,
+                                        std::vector<std::string> taken);
 
 /// Where details may stand, paper mm.
 struct DetailRoom {

@@ -122,6 +122,7 @@ void place_parts(Scene& scene, Illustration& illustration, RunContext& context) 
   cut_parts(scene,
             illustration);  // where they belong: a section does not go through what has come apart
   move_parts(scene, moves);
+  for (const SectionView& view : illustration.section_views) move_parts(*view.scene, moves);
 }
 
 /// Centre lines go beyond the outline, to which a drawing is fitted.
@@ -141,15 +142,28 @@ void keep_room_for_centre_lines(Illustration& illustration) {
   }
 }
 
+void add_title_block(Illustration& illustration) {
+  if (!illustration.title_block) return;
+  std::optional<Annotations>& over = illustration.illustrate.annotations;
+  if (!over) over.emplace().margin = illustration.sheet.margin;
+  over->title_block = illustration.title_block;
+  if (!illustration.title.empty()) {
+    over->title_block->fields.try_emplace("title", illustration.title);
+  }
+}
+
 }  // namespace
 
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
   select_parts(scene, illustration);
   keep_room_for_centre_lines(illustration);
+  if (illustration.overall_dimensions)
+    illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
   number_parts(scene, illustration, context);
   place_parts(scene, illustration, context);
+  add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;
-  const bool tables = over && (over->parts_list || !over->legend.empty());
+  const bool tables = over && (over->parts_list || !over->legend.empty() || over->title_block);
   if (tables) over->shape = detail::drawn_shape(scene, illustration);
 }
 

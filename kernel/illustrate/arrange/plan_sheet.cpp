@@ -6,6 +6,8 @@
 
 #include "details.h"
 #include "drawn_shape.h"
+#include "overall.h"
+#include "wanted_views.h"
 
 #include <fmt/format.h>
 
@@ -29,8 +31,12 @@ Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration,
   return extent_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, view);
 }
 
+Margin sum(const Margin& a, const Margin& b) {
+  return {a.top + b.top, a.right + b.right, a.bottom + b.bottom, a.left + b.left};
+}
+
 /// The margin with the room that callouts and the parts list need.
-SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration) {
+SheetOptions sheet_with_tables(const Camera::ExtentFn& extent, const Illustration& illustration) {
   SheetOptions sheet = illustration.sheet;
   if (!illustration.illustrate.annotations) return sheet;
   const Annotations& over = *illustration.illustrate.annotations;
@@ -57,19 +63,28 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
   return sheet;
 }
 
-/// The camera of a view that has the sheet for itself.
-Camera lone_camera(const Scene& scene, const Illustration& illustration) {
+/// And that which dimensions need.
+SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration,
+                             const Margin& room) {
+  SheetOptions sheet = sheet_with_tables(extent, illustration);
+  sheet.margin = margin_of(sum(sheet.margin, room), illustration);
+  return sheet;
+}
+
+/// The camera of a view that has the sheet for itself. `room`: of dimensions.
+Camera lone_camera(const Scene& scene, const Illustration& illustration, const Margin& room) {
   const Camera::ExtentFn extent = extent_of(scene, illustration, illustration.view);
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
-    return Camera::fit(extent,
-                       settle(extent, illustration.view, sheet_with_room(extent, illustration)));
+    return Camera::fit(
+        extent, settle(extent, illustration.view, sheet_with_room(extent, illustration, room)));
   }
   // A perspective view knows one margin: it is fitted to what is left of the sheet.
   ViewOptions view = settle(extent, illustration.view, illustration.sheet);
   const Paper sheet = view.paper;
-  const Margin m =
-      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet);
+  const Margin m = sum(
+      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet),
+      room);
   view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
   view.margin = 0;
   return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
@@ -85,6 +100,7 @@ Vec2 callout_capacity_of(const Illustration& illustration, Vec2 size) {
   Annotations callouts = *illustration.illustrate.annotations;
   callouts.parts_list = false;
   callouts.legend.clear();
+  callouts.title_block.reset();
   callouts.margin = Margin(0);
   const Margin m = annotation_margin(callouts, illustration.style.callout, {size.x, size.y});
   return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
@@ -99,6 +115,24 @@ Mat3 axes_of(const ViewOptions& view) {
   const ViewOptions sides{.direction = view.direction, .up = view.up};
   return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
 }
+
+/// What views measure of width, depth and height; they keep room for it.
+class Overall {
+ public:
+  Overall(Scene& scene, const Illustration& illustration, std::vector<detail::OverallView> views)
+      : illustration_(illustration), views_(std::move(views)) {
+    detail::share_overall(scene, illustration, views_);
+  }
+  std::vector<Dimension> of_view(std::size_t i, Margin& room) const {
+    if (!illustration_.whole) return {};
+    return detail::overall_dimensions(*illustration_.whole, views_[i],
+                                      illustration_.style.dimension, room);
+  }
+
+ private:
+  const Illustration& illustration_;
+  std::vector<detail::OverallView> views_;
+};
 
 /// Places views of an illustration one after the other.
 class SheetPlanner {
@@ -121,17 +155,21 @@ class SheetPlanner {
 
   SheetOfViews run() {
     const Vec2 free = frame_.size();
+    views_ = detail::wanted_views(illustration_);
+    std::vector<std::string> letters;
+    for (const SectionView& view : illustration_.section_views) letters.push_back(view.letter);
     details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_view()),
-                                    std::min(free.x, free.y));
+                                    std::min(free.x, free.y), std::move(letters));
     frame_ = detail::place_details(
         details_, detail_caption(illustration_.style.callout),
         {frame_, inside(illustration_.view.paper, illustration_.sheet.margin), list_, legend_});
     place_views();
     if (!circles_stay()) {
       with_circles_ = true;
-      sheet_.views.clear();
+      sheet_ = {};
       place_views();
     }
+    mark_sections();
     for (const detail::PlannedDetail& detail : details_) add_detail(detail);
     report_small_view();
     return std::move(sheet_);
@@ -140,7 +178,7 @@ class SheetPlanner {
  private:
   /// Of several views the one from above has no shadow on the ground.
   Camera::ExtentFn extent_in_grid(const ViewOptions& view) const {
-    if (illustration_.views.empty()) return extent_of(scene_, illustration_, view);
+    if (views_.empty()) return extent_of(scene_, illustration_, view);
     return extent_with_shadow(scene_,
                               style_in_grid(illustration_.style, glm::normalize(view.direction)),
                               illustration_.illustrate.part_styles, view);
@@ -160,7 +198,7 @@ class SheetPlanner {
   }
 
   void place_views() {
-    if (illustration_.views.empty()) {
+    if (views_.empty()) {
       place_one();
     } else {
       place_grid();
@@ -178,68 +216,105 @@ class SheetPlanner {
     });
   }
 
-  ViewOptions options_of(const std::string& name) const {
-    ViewOptions view = illustration_.view;
-    const NamedView named = view_in_grid(name);
-    view.direction = named.direction;
-    view.up = named.up;
-    view.center.reset();  // each stands in the middle of its box
-    return view;
+  ViewOptions first_view() const {
+    return views_.empty() ? illustration_.view : views_.front().view;
   }
 
-  ViewOptions first_view() const {
-    return illustration_.views.empty() ? illustration_.view
-                                       : options_of(illustration_.views.front());
+  void mark_sections() {
+    for (const SectionView& section : illustration_.section_views) {
+      const auto parent = detail::parent_of(views_, illustration_, section);
+      if (!parent) {
+        detail::report_no_line(scene_, illustration_, section);
+        continue;
+      }
+      sheet_.section_marks.push_back(detail::mark_of(
+          section, scene_, illustration_, views_[*parent].view, sheet_.views[*parent].camera));
+    }
   }
 
   /// A camera whose picture stands in the middle of a box.
   Camera in_box(ViewOptions view, const Box2& box) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
+    const Camera::ExtentFn shown = extent(view);
+    const SheetOptions whole{.margin = Margin(0), .iso_scale = illustration_.sheet.iso_scale};
+    return Camera::fit(shown, settle(shown, view, whole)).on_sheet(sheet, box.min);
+  }
+
+  /// A camera of a given scale whose picture has its middle there.
+  Camera on_middle(ViewOptions view, Vec2 middle) const {
+    const Paper sheet = view.paper;
+    const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
     view.margin = 0;
-    return Camera::fit(extent(view), view).on_sheet(sheet, box.min);
+    return Camera::fit(extent(view), view).on_sheet(sheet, middle - half);
   }
 
   void place_one() {
-    const Vec2 room = callout_capacity_of(illustration_, frame_.size());
-    const Box2 inner{frame_.min + room, frame_.max - room};
-    sheet_.views.push_back({"", in_box(illustration_.view, inner), frame_, {}, 1, {}, true});
+    const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
+    Margin room(0);
+    const Overall overall(scene_, illustration_, {{axes_of(illustration_.view)}});
+    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, overall.of_view(0, room)};
+    view.camera = in_box(illustration_.view, {frame_.min + callouts + Vec2(room.left, room.bottom),
+                                              frame_.max - callouts - Vec2(room.right, room.top)});
+    sheet_.views.push_back(std::move(view));
   }
 
   void place_grid() {
     if (illustration_.view.perspective) {
       throw UsageError("several views are orthographic: leave `perspective` out");
     }
-    // The symbol of the method stands under the views at the left.
-    const Vec2 symbol = projection_symbol_size();
     sheet_.method = illustration_.projection;
-    sheet_.symbol_at = frame_.min;
     Box2 frame = frame_;
-    frame.min.y += symbol.y + 0.5 * kBetweenViews;
-    std::vector<GridView> views;
-    const std::size_t numbered = view_with_callouts();
-    for (const std::string& name : illustration_.views) {
-      const ViewOptions options = options_of(name);
-      const Vec3 size = extent(options)(axes_of(in_box(options, frame))).size();
-      GridView view{name, {size.x, size.y}, Vec2(0)};
-      if (views.size() == numbered)
-        view.room = callout_capacity_of(illustration_, 0.5 * frame.size());
-      views.push_back(std::move(view));
+    const std::optional<Annotations>& over = illustration_.illustrate.annotations;
+    if (!over || !has_symbol(*over, illustration_.style.callout, illustration_.view.paper)) {
+      // The symbol of the method stands under the views at the left.
+      sheet_.symbol_at = frame_.min;
+      frame.min.y += projection_symbol_size().y + 0.5 * kBetweenViews;
     }
-    const ViewGrid grid = arrange_views(views, illustration_.projection, frame, kBetweenViews,
-                                        illustration_.view.scale);
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      ViewOptions view = options_of(views[i].name);
+    std::vector<detail::OverallView> seen;
+    for (const detail::WantedView& wanted : views_)
+      seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
+    const Overall overall(scene_, illustration_, std::move(seen));
+    std::vector<std::vector<Dimension>> dimensions;
+    std::vector<GridView> grid_views;
+    const std::size_t numbered = view_with_callouts();
+    for (const detail::WantedView& wanted : views_) {
+      const Vec3 size = extent(wanted.view)(axes_of(wanted.view)).size();
+      GridView view{wanted.stands_as, {size.x, size.y}, wanted.room};
+      dimensions.push_back(overall.of_view(dimensions.size(), view.room));
+      if (grid_views.size() == numbered) {
+        const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
+        Margin& m = view.room;
+        m = Margin(m.top + callouts.y, m.right + callouts.x, m.bottom + callouts.y,
+                   m.left + callouts.x);
+      }
+      grid_views.push_back(std::move(view));
+    }
+    const auto arranged = [&](std::optional<double> scale) {
+      return arrange_views(grid_views, illustration_.projection, frame, kBetweenViews, scale);
+    };
+    ViewGrid grid = arranged(illustration_.view.scale);
+    if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      ViewOptions view = views_[i].view;
       view.scale = grid.scale;
-      sheet_.views.push_back(
-          {views[i].name, in_box(view, grid.boxes[i]), grid.boxes[i], {}, 1, {}, i == numbered});
+      const Vec2 half = 0.5 * grid.scale * grid_views[i].size, middle = grid.middles[i];
+      const Box2 drawn{middle - half, middle + half};
+      PlacedView placed{views_[i].name, on_middle(view, middle), grid.boxes[i]};
+      placed.callouts = i == numbered;
+      placed.dimensions = std::move(dimensions[i]);
+      if (const SectionView* section = views_[i].section) {
+        placed.scene = section->scene;
+        sheet_.section_names.push_back({drawn, section->letter});
+      }
+      sheet_.views.push_back(std::move(placed));
     }
   }
 
   /// The first pictorial one, which shows most of an assembly; else the first.
   std::size_t view_with_callouts() const {
-    for (std::size_t i = 0; i < illustration_.views.size(); ++i) {
-      const Vec3 d = glm::abs(options_of(illustration_.views[i]).direction);
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      const Vec3 d = glm::abs(views_[i].view.direction);
       if ((d.x > 0) + (d.y > 0) + (d.z > 0) > 1) return i;
     }
     return 0;
@@ -290,6 +365,7 @@ class SheetPlanner {
   std::optional<Box2> list_, legend_;
   bool with_circles_ = false;
   std::vector<detail::PlannedDetail> details_;
+  std::vector<detail::WantedView> views_;
   SheetOfViews sheet_;
 };
 
@@ -303,11 +379,17 @@ Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
 }
 
 SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
-  if (!illustration.views.empty() || !illustration.details.empty())
+  if (!illustration.views.empty() || !illustration.details.empty() ||
+      !illustration.section_views.empty()) {
     return SheetPlanner(scene, illustration).run();
+  }
   SheetOfViews sheet;
-  const Camera camera = lone_camera(scene, illustration);
+  Margin room(0);
+  const Overall overall(scene, illustration, {{axes_of(illustration.view)}});
+  std::vector<Dimension> dimensions = overall.of_view(0, room);
+  const Camera camera = lone_camera(scene, illustration, room);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
+  sheet.views.front().dimensions = std::move(dimensions);
   return sheet;
 }
 

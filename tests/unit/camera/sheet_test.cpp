@@ -82,6 +82,28 @@ TEST(Sheet, EachSideKeepsItsMargin) {
   EXPECT_THROW(shown(block(Vec3(10)), deep, sheet), UsageError);
 }
 
+TEST(Sheet, TakesTheLargestScaleOfIso5455ThatFits) {
+  const auto scale_of = [](double length, const Margin& margin) {
+    const SheetOptions sheet{.margin = margin, .iso_scale = true};
+    const Shown s = shown(block({length, 1, 10}), sheet_view("front"), sheet);
+    EXPECT_NEAR(s.box.center().x, (margin.left + 297 - margin.right) / 2, 1e-9);
+    return s.camera.scale();
+  };
+  EXPECT_EQ(scale_of(100, Margin(10)), 2);  // 2.77 fits
+  EXPECT_EQ(scale_of(277, Margin(10)), 1);  // exactly
+  EXPECT_EQ(scale_of(277.001, Margin(10)), 0.5);
+  EXPECT_EQ(scale_of(700, Margin(10)), 0.2);
+  EXPECT_EQ(scale_of(100, Margin(10, 80, 10, 30)), 1);
+  EXPECT_EQ(scale_of(0.1, Margin(10)), 10);  // by the height of the sheet
+  ViewOptions asked = sheet_view("front");
+  asked.scale = 0.7;  // of its own
+  EXPECT_EQ(shown(block({100, 1, 10}), asked, {.iso_scale = true}).camera.scale(), 0.7);
+  EXPECT_THROW(shown(block(Vec3(10)), sheet_view("front"), {.fits = true, .iso_scale = true}),
+               UsageError);
+  asked.perspective = 30;
+  EXPECT_THROW(shown(block(Vec3(10)), asked, {.iso_scale = true}), UsageError);
+}
+
 TEST(Sheet, FitsTheDrawingAndItsMargin) {
   ViewOptions asked = sheet_view("front");
   asked.scale = 2;

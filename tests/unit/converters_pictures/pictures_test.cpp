@@ -182,7 +182,7 @@ TEST_F(Pictures, SvgsThatDrawNothingOrAreNoneEndInOneLine) {
   std::string wide = "<svg></svg>";
   wide.resize(9'000'000, ' ');
   EXPECT_EQ(refusal([&] { read_svg_lines(file(wide)); }),
-            "the drawing has more than 8 MB; a motif is smaller");
+            "the drawing has more than 8 MB; a motif or a template is smaller");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Pen = collections.namedtuple("Pen", "width visible points counts")
 
 
 # A line of text: place of its base line on the sheet; height of capitals, in mm of paper; start, middle or end.
-Text = collections.namedtuple("Text", "at height anchor text")
+Text = collections.namedtuple("Text", "at height anchor text turn")
 
 # Capitals of Coin's own font, as a share of its size.
 CAPITALS = 0.7
@@ -72,7 +72,7 @@ def _painted(drawing, box):
 
 
 def _texts(said):
-    return [Text(tuple(t["at"]), t["height"], t["anchor"], t["text"]) for t in said]
+    return [Text(tuple(t["at"]), t["height"], t["anchor"], t["text"], t.get("turn", 0)) for t in said]
 
 
 def view_place_of(sheet):
@@ -161,11 +161,11 @@ def when_large(node):
 def texts_node(view_place, texts):
     """Texts on the sheet, as Coin writes them."""
     root = coin.SoSeparator()
-    turn = FreeCAD.Rotation(view_place.right, view_place.up, view_place.direction, "ZXY").Q
+    turn = FreeCAD.Rotation(view_place.right, view_place.up, view_place.direction, "ZXY")
     sides = {"start": coin.SoAsciiText.LEFT, "middle": coin.SoAsciiText.CENTER, "end": coin.SoAsciiText.RIGHT}
     for text, at in zip(texts, places(view_place, [t.at for t in texts])):
         one, pose, font, letters = coin.SoSeparator(), coin.SoTransform(), coin.SoFont(), coin.SoAsciiText()
-        pose.translation, pose.rotation = tuple(float(x) for x in at), turn
+        pose.translation, pose.rotation = tuple(float(x) for x in at), (turn * FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), text.turn)).Q
         font.name, font.size = "sans", text.height / CAPITALS / view_place.scale
         letters.string, letters.justification = text.text, sides[text.anchor]
         for node in (pose, font, letters):

@@ -240,6 +240,7 @@ typedef struct burin_drawing {
   const double* widths; /* 1 a point */
   size_t text_count;
   const burin_text* texts;
+  const double* text_turns; /* 1 a text: degrees about its place, anticlockwise */
 } burin_drawing;
 
 /** What a writer writes to: BURIN_OK, or what the writer has to return at once. */

@@ -39,12 +39,15 @@ struct SheetOptions {
   /// The sheet is as large as the drawing at the view's scale (absent = 1) and the margin;
   /// `ViewOptions::paper` is not looked at.
   bool fits = false;
+  /// Where the view has no scale of its own: the largest one of ISO 5455 at which the drawing fits
+  /// on the sheet. Orthographic views of a sheet that does not fit itself.
+  bool iso_scale = false;
 };
 
 /// The view with paper, margin, scale and centre settled, so that `Camera::fit` need not know of
 /// SheetOptions. Perspective: the margins must be even, and a sheet that fits has the height that
 /// the field of view asks for. Throws UsageError where a sheet that fits would be larger than
-/// kLargestSheet, and as `Camera::fit`.
+/// kLargestSheet, or a scale of ISO 5455 is asked for where there is none, and as `Camera::fit`.
 ViewOptions settle(const Camera::ExtentFn& extent, ViewOptions view, const SheetOptions& sheet);
 
 }  // namespace burin

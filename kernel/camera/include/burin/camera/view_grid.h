@@ -2,6 +2,7 @@
 /// Where several views stand on a sheet.
 
 #include <burin/base/box.h>
+#include <burin/camera/sheet.h>
 #include <burin/camera/standards.h>
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace burin {
 /// its left (third angle, America). ISO 5456-2.
 enum class ProjectionMethod { FirstAngle, ThirdAngle };
 
-/// A view of several: its extent, and room about it on each side that does not grow with the scale.
+/// A view of several: its extent, and room beside it that does not grow with the scale.
 struct GridView {
   /// "front", "top", ... stand about the front view; any other name is a pictorial view, which
   /// stands in the corner between top and side, or in the row of the front view where there is none
@@ -24,15 +25,16 @@ struct GridView {
   /// Model mm, right and up on the sheet.
   Vec2 size{0};
   /// Paper mm.
-  Vec2 room{0};
+  Margin room{0};
 };
 
 struct ViewGrid {
   /// Paper mm a model mm, of all views.
   double scale = 1;
-  /// Paper mm, in the order of the views: what each shows is in the middle of its box, and the
-  /// boxes of a row or a column have one middle line.
+  /// Paper mm, in the order of the views: of each what it may take, and where the middle of what it
+  /// shows is. The middles of a row or a column are on one line.
   std::vector<Box2> boxes;
+  std::vector<Vec2> middles;
   /// All of it.
   Box2 box;
 };

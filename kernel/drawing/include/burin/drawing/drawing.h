@@ -65,7 +65,7 @@ enum class TextAnchor { Start, Middle, End };
 /// "start", "middle", "end".
 const char* to_string(TextAnchor anchor);
 
-/// One line of text, left to right, in the engineering font of burin/drawing/font.h.
+/// One line of text in the engineering font of burin/drawing/font.h.
 struct Text {
   /// Paper mm: on the base line.
   Vec2 at{0};
@@ -74,10 +74,13 @@ struct Text {
   TextAnchor anchor = TextAnchor::Start;
   /// UTF-8.
   std::string text;
-  /// What it is: "callout", "parts_list", "legend", "detail", "step".
+  /// What it is: "callout", "parts_list", "legend", "title_block", "detail", "section", "dimension",
+  /// "step".
   std::string role = {};
   /// The number of the item that it is about; 0: none.
   int item = 0;
+  /// Degrees about its place, anticlockwise: 0 from left to right, 90 upwards.
+  double turn = 0;
 };
 
 /// Paths that are drawn together, and texts over them; layers are painted in order.

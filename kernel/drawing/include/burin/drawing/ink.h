@@ -23,6 +23,14 @@ inline constexpr std::string_view kTrailLayer = "trail";
 /// The layer of centre lines and centre marks.
 inline constexpr std::string_view kCentreLayer = "centre";
 
+/// The layer of the lines along which views are cut for sections.
+inline constexpr std::string_view kSectionPlaneLayer = "section-plane";
+
+/// Whether the lines of a layer have long dashes and dots, as ISO 128-2 has axes and cutting planes.
+inline bool has_long_dashes(std::string_view layer) {
+  return layer == kCentreLayer || layer == kSectionPlaneLayer;
+}
+
 /// The layer of the border between the drawing and empty paper.
 inline constexpr std::string_view kOutlineLayer = "outline";
 
@@ -37,8 +45,8 @@ struct InkLayer {
   std::vector<double> own_dashes = {};
 
   /// Lengths of ink and gaps in turn, paper mm; empty: its lines are not interrupted. Hidden lines
-  /// are dashed; trails have a dot between dashes twice as long, centre lines between dashes three
-  /// times as long; layers may say it themselves.
+  /// are dashed; trails have a dot between dashes twice as long, centre lines and cutting planes
+  /// between dashes three times as long; layers may say it themselves.
   std::vector<double> dashes(const DashOptions& options) const;
 };
 

@@ -2,6 +2,7 @@
 /// From a scene to a drawing: the only place that knows the order of the stages.
 
 #include <burin/annotate/annotate.h>
+#include <burin/annotate/dimensions.h>
 #include <burin/base/image.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -77,6 +78,8 @@ struct IllustrateOptions {
   /// Items of the parts that are drawn, for `Drawing::items` and `areas`, and what of them is laid
   /// over the drawing.
   std::optional<Annotations> annotations{};
+  /// What is measured in the drawing.
+  std::vector<Dimension> dimensions{};
   /// Whether `Drawing::areas` tells the faces of parts apart, painted or not.
   bool face_areas = false;
 };

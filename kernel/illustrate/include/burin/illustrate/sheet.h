@@ -2,9 +2,12 @@
 /// Several views of a scene on one sheet, and details of them at another scale.
 
 #include <burin/annotate/details.h>
+#include <burin/annotate/sections.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/session.h>
+#include <burin/surface/scene.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +29,9 @@ struct PlacedView {
   std::vector<std::size_t> shows = {};
   /// Whether callouts stand about it, in its box.
   bool callouts = false;
+  /// The parts as this view alone shows them, cut open; null: as all show them.
+  std::shared_ptr<const Scene> scene = {};
+  std::vector<Dimension> dimensions = {};
 };
 
 struct SheetOfViews {
@@ -33,9 +39,13 @@ struct SheetOfViews {
   std::vector<PlacedView> views;
   /// Circles and letters of those of them that are details.
   std::vector<DetailMark> details = {};
-  /// The symbol of the method, with its bottom left corner there.
+  /// Where sections that have views of their own cut, and the names of these.
+  std::vector<SectionMark> section_marks = {};
+  std::vector<SectionName> section_names = {};
+  /// How views stand about the front view; where the bottom left corner of its symbol is, unless
+  /// the title block has it.
   std::optional<ProjectionMethod> method = {};
-  Vec2 symbol_at{0};
+  std::optional<Vec2> symbol_at = {};
 
   /// One view that has the sheet for itself.
   bool plain() const { return views.size() == 1 && details.empty() && !method; }

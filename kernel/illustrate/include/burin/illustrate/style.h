@@ -1,6 +1,7 @@
 #pragma once
 /// A drawing style as plain data.
 
+#include <burin/annotate/dimensions.h>
 #include <burin/annotate/options.h>
 #include <burin/drawing/format_options.h>
 #include <burin/feature/options.h>
@@ -168,6 +169,7 @@ struct Style {
   DepthOptions depth{};
   SheetStyle sheet{};
   CalloutOptions callout{};
+  DimensionOptions dimension{};
   /// Keys "line.dash" and "line.gap".
   DashOptions dashes{};
   /// Of the options that formats declare (`format_options`, `added_formats`): keys "svg.flatten",

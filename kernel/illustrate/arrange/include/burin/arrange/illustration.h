@@ -12,7 +12,9 @@
 #include <burin/explode/step.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
+#include <burin/surface/scene.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +69,22 @@ struct DetailView {
   std::string place = {};
 };
 
+/// A view that a section has for itself, as it stands where the section is found.
+struct SectionView {
+  std::string letter;
+  /// To the viewer, across what is cut, unit.
+  Vec3 direction{0};
+  /// Where it cuts, model mm along an axis that `direction` is or is against: once, or in steps.
+  Vec3 axis{0};
+  std::vector<double> faces = {};
+  /// Where each step ends, model mm along another axis, unit; of one plane none.
+  Vec3 across{0};
+  std::vector<double> ends = {};
+  /// The parts cut open, in the order of the others.
+  std::shared_ptr<Scene> scene = {};
+  std::string place = {};
+};
+
 struct Illustration {
   Style style{};
   ViewOptions view{};
@@ -79,6 +97,8 @@ struct Illustration {
   std::vector<std::string> only = {};
   /// At most 16.
   std::vector<Section> sections = {};
+  /// Those of `sections` that have a view of their own: what arranging makes.
+  std::vector<SectionView> section_views = {};
   /// Parts that all sections leave whole; absent: as each says, or by custom.
   std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
@@ -89,9 +109,15 @@ struct Illustration {
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};
+  /// Width, depth and height of the parts that are drawn, along the axes of the model.
+  bool overall_dimensions = false;
+  /// What these are: arranging finds it, before anything is cut or moved.
+  std::optional<Box3> whole = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
+  /// Its "title", where it has none, is `title`.
+  std::optional<TitleBlock> title_block = {};
   /// Numbers that items have already.
   ItemNumbers numbers = {};
   /// What the drawing is called; empty: by its parts.

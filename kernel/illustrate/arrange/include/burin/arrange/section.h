@@ -32,6 +32,11 @@ struct Section {
   std::optional<Around> around = {};
   /// Selectors of parts that stay whole; absent: those that drawings leave whole by custom.
   std::optional<std::vector<std::string>> exclude = {};
+  /// It cuts a view of its own alone, which stands on the sheet beside the others: by one plane or
+  /// in steps.
+  bool own_view = false;
+  /// Of that view: "A" for "A-A"; empty: the next of A, B, C ...
+  std::string letter = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
 };

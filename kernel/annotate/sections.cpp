@@ -1,0 +1,120 @@
+#include <burin/annotate/sections.h>
+#include <burin/base/nearest_along.h>
+#include <burin/drawing/font.h>
+#include <burin/drawing/ink.h>
+
+#include "frame_path.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace burin {
+namespace {
+
+using detail::line;
+
+// Of the height of letters: the wide ends of the line and the stretches on both sides of a corner;
+// the arrow's shaft and head; between a letter and what is beside it; between a section and its
+// name.
+constexpr double kEnd = 1.0, kCorner = 0.6, kShaft = 1.8, kHead = 0.7, kBeside = 0.35, kAbove = 0.5;
+// Paper mm that the line stands out of what the view shows, before its wide end.
+constexpr double kOut = 3;
+// Of the width of narrow lines: outlines are as wide (ISO 128-2).
+constexpr double kWide = 2.8;
+/// Paper mm: a centre line that near lies under the line of a cut.
+constexpr double kUnder = 0.1;
+
+Path arrow_head(Vec2 tip, Vec2 way, double length) {
+  constexpr double kOpening = 0.36;  // of the length: 20 degrees
+  Path head = line(tip - length * way, tip, kOpening * length);
+  head.width = {kOpening * length, 0};
+  return head;
+}
+
+/// An end of the line: wide, with an arrow that comes from the viewer's side, and its letter.
+void lay_end(Vec2 end, Vec2 inwards, const SectionMark& mark, const CalloutOptions& style,
+             Layer& layer) {
+  const double h = style.height, wide = kWide * style.line;
+  layer.paths.push_back(line(end, end + kEnd * h * inwards, wide));
+  const Vec2 tail = end - kShaft * h * mark.sight;
+  layer.paths.push_back(line(tail, end - 0.5 * kHead * h * mark.sight, style.line));
+  layer.paths.push_back(arrow_head(end, mark.sight, kHead * h));
+  // Beside the shaft, away from the drawing.
+  const Vec2 half = 0.5 * Vec2(text_width(mark.letter, h), h);
+  const double reach = kBeside * h + glm::dot(glm::abs(inwards), half);
+  const Vec2 middle = end - 0.5 * kShaft * h * mark.sight - reach * inwards;
+  layer.texts.push_back(
+      {middle - Vec2(0, half.y), h, TextAnchor::Middle, mark.letter, "section", 0});
+}
+
+/// Both sides of the corner in which a step ends, wide.
+void lay_corner(Vec2 before, Vec2 corner, Vec2 after, const CalloutOptions& style, Layer& layer) {
+  const auto towards = [&](Vec2 to) {
+    const double length = glm::distance(corner, to);
+    return corner + std::min(kCorner * style.height, 0.5 * length) / length * (to - corner);
+  };
+  Path path = line(towards(before), corner, kWide * style.line);
+  path.points.push_back(towards(after));
+  layer.paths.push_back(std::move(path));
+}
+
+/// Whether a line lies under a stretch of the course of a cut.
+bool lies_under(const Path& path, const std::vector<Vec2>& course) {
+  for (std::size_t i = 1; i < course.size(); ++i) {
+    if (std::ranges::all_of(path.points, [&](const Vec2& p) {
+          return distance_to_segment(course[i - 1], course[i], p) < kUnder;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void leave_out_under(const SectionMark& mark, Drawing& sheet) {
+  for (Layer& layer : sheet.layers) {
+    if (layer.name != kCentreLayer) continue;
+    std::erase_if(layer.paths, [&](const Path& path) { return lies_under(path, mark.course); });
+  }
+}
+
+}  // namespace
+
+SectionReach section_reach(const CalloutOptions& style) {
+  const double letter = 1.2 * style.height;  // no letter is wider
+  return {.beyond = kOut + kEnd * style.height,
+          .along = kBeside * style.height + letter,
+          .across = kShaft * style.height};
+}
+
+double section_caption(const CalloutOptions& style) { return (1 + 2 * kAbove) * style.height; }
+
+void lay_sections(Drawing& sheet, std::span<const SectionMark> marks,
+                  std::span<const SectionName> names, const CalloutOptions& style) {
+  Layer plane{std::string(kSectionPlaneLayer), {}}, over{"section-marks", {}};
+  for (const SectionMark& mark : marks) {
+    leave_out_under(mark, sheet);
+    const std::vector<Vec2>& course = mark.course;
+    Path path = line(course.front(), course.back(), style.line);
+    path.points = course;
+    plane.paths.push_back(std::move(path));
+    const std::size_t last = course.size() - 1;
+    lay_end(course.front(), glm::normalize(course[1] - course[0]), mark, style, over);
+    lay_end(course.back(), glm::normalize(course[last - 1] - course[last]), mark, style, over);
+    for (std::size_t i = 1; i < last; ++i)
+      lay_corner(course[i - 1], course[i], course[i + 1], style, over);
+  }
+  for (const SectionName& name : names) {
+    over.texts.push_back({{name.drawn.center().x, name.drawn.max.y + kAbove * style.height},
+                          style.height,
+                          TextAnchor::Middle,
+                          name.letter + "-" + name.letter,
+                          "section",
+                          0});
+  }
+  if (!plane.paths.empty()) sheet.layers.push_back(std::move(plane));
+  sheet.layers.push_back(std::move(over));
+}
+
+}  // namespace burin

@@ -1,0 +1,186 @@
+#include "overall.h"
+
+#include <burin/illustrate/illustrate.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+constexpr std::array<const char*, 3> kNames{"width", "depth", "height"};
+
+/// A direction of the model on paper, per mm.
+Vec2 on_paper(const Mat3& axes, const Vec3& direction) {
+  const Vec3 p = axes * direction;
+  return {p.x, p.y};
+}
+
+Vec3 unit(int axis) {
+  Vec3 u(0);
+  u[axis] = 1;
+  return u;
+}
+
+/// Whether a length is seen as long as it is, and whether it is seen at all.
+bool is_square(const OverallView& view, int axis) {
+  constexpr double kSquare = 1e-6;
+  return glm::length(on_paper(view.axes, unit(axis))) > 1 - kSquare;
+}
+bool is_seen(const OverallView& view, int axis) {
+  constexpr double kLeast = 0.2;  // 12 degrees from the line of sight
+  return glm::length(on_paper(view.axes, unit(axis))) > kLeast;
+}
+
+OverallView* view_of(std::span<OverallView> views, int axis) {
+  for (const auto shows : {is_square, is_seen}) {
+    for (const bool last : {false, true}) {
+      for (OverallView& view : views) {
+        if (view.last == last && shows(view, axis)) return &view;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// An edge of the box along an axis, and the way from it to the line of its dimension.
+struct Edge {
+  Vec3 from{0}, to{0}, outwards{0};
+  double rank = std::numeric_limits<double>::infinity();
+};
+
+/// Whether a place on paper is outside of what a box covers.
+bool is_outside(const Box3& box, const Mat3& axes, Vec2 place) {
+  // A convex outline: beyond it in a direction across one of its edges.
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec2 along = on_paper(axes, unit(axis)), across(-along.y, along.x);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p((corner & 1) != 0 ? box.max.x : box.min.x,
+                   (corner & 2) != 0 ? box.max.y : box.min.y,
+                   (corner & 4) != 0 ? box.max.z : box.min.z);
+      const double at = glm::dot(across, on_paper(axes, p));
+      low = std::min(low, at), high = std::max(high, at);
+    }
+    const double at = glm::dot(across, place);
+    if (at < low || at > high) return true;
+  }
+  return false;
+}
+
+/// How well a dimension stands: across its length, below what is wide and at the left of what is
+/// high; the less the better.
+double rank_of(Vec2 along, Vec2 out) {
+  constexpr double kSide = 0.25;
+  const double slant = std::abs(glm::dot(along, out));
+  const bool wide = std::abs(along.x) >= std::abs(along.y) - 1e-9;
+  return slant + kSide * (wide ? out.y : out.x);
+}
+
+/// Whether an extension line of two edges would be one.
+bool share_a_line(const Edge& a, const Edge& b) {
+  return a.outwards == b.outwards &&
+         (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to);
+}
+
+/// The edge of the box along an axis that is best for its dimension, beside those that have one.
+Edge best_edge(const Box3& box, const Mat3& axes, int axis, std::span<const Edge> others) {
+  constexpr double kSeen = 0.2, kNear = 1e-6, kBetter = 1e-9;
+  // Lengths on the ground are measured there, where a view shows more than one way.
+  constexpr double kUpwards = 0.3;
+  const Vec2 along = glm::normalize(on_paper(axes, unit(axis)));
+  const double step = kNear * box.diagonal();
+  Edge best;
+  for (int k = 0; k < 8; ++k) {
+    const int out_axis = (axis + 1 + (k & 1)) % 3, other = 3 - axis - out_axis;
+    Edge edge;
+    edge.from[axis] = box.min[axis];
+    edge.from[out_axis] = (k & 2) != 0 ? box.max[out_axis] : box.min[out_axis];
+    edge.from[other] = (k & 4) != 0 ? box.max[other] : box.min[other];
+    edge.outwards = ((k & 2) != 0 ? 1.0 : -1.0) * unit(out_axis);
+    const Vec2 out = on_paper(axes, edge.outwards);
+    if (glm::length(out) < kSeen) continue;
+    Vec3 middle = edge.from;
+    middle[axis] = 0.5 * (box.min[axis] + box.max[axis]);
+    if (!is_outside(box, axes, on_paper(axes, middle) + step * glm::normalize(out))) continue;
+    edge.to = edge.from;
+    edge.to[axis] = box.max[axis];
+    edge.rank = rank_of(along, glm::normalize(out)) + (out_axis == 2 ? kUpwards : 0);
+    for (const Edge& other : others) edge.rank += share_a_line(edge, other) ? 1 : 0;
+    if (edge.rank < best.rank - kBetter) best = edge;
+  }
+  return best;
+}
+
+/// Paper mm of room that is taken in a direction.
+double taken(const Margin& room, Vec2 out) {
+  return std::max(out.x, 0.0) * room.right + std::max(-out.x, 0.0) * room.left +
+         std::max(out.y, 0.0) * room.top + std::max(-out.y, 0.0) * room.bottom;
+}
+
+void take(Margin& room, Vec2 reach) {
+  room = Margin(std::max(room.top, reach.y), std::max(room.right, reach.x),
+                std::max(room.bottom, -reach.y), std::max(room.left, -reach.x));
+}
+
+}  // namespace
+
+void share_overall(Scene& scene, const Illustration& illustration, std::span<OverallView> views) {
+  if (!illustration.overall_dimensions || !illustration.whole) return;
+  if (illustration.view.perspective) {
+    scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
+                          "a perspective view has no dimensions: leave `perspective` out");
+    return;
+  }
+  const Box3& whole = *illustration.whole;
+  const Box3 drawn = drawn_bounds(scene, illustration.illustrate.part_styles);
+  constexpr double kSame = 1e-6;
+  const double near = kSame * whole.diagonal();
+  const auto not_drawn = [&](int axis, const char* why) {
+    scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
+                          fmt::format("the {} has no dimension: {}", kNames[axis], why));
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(drawn.min[axis] - whole.min[axis]) > near ||
+        std::abs(drawn.max[axis] - whole.max[axis]) > near) {
+      not_drawn(axis, illustration.explode.wanted ? "the parts have come apart"
+                                                  : "a section takes a part of it away");
+      continue;
+    }
+    if (whole.size()[axis] <= near) continue;  // there is none
+    if (OverallView* view = view_of(views, axis)) {
+      view->shows[axis] = true;
+    } else {
+      not_drawn(axis, "no view of the sheet shows it");
+    }
+  }
+}
+
+std::vector<Dimension> overall_dimensions(const Box3& box, const OverallView& view,
+                                          const DimensionOptions& style, Margin& room) {
+  std::vector<Dimension> dimensions;
+  const DimensionReach reach = dimension_reach(style);
+  const Margin before = room;
+  std::vector<Edge> edges;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!view.shows[axis]) continue;
+    const Edge edge = best_edge(box, view.axes, axis, edges);
+    if (!std::isfinite(edge.rank)) continue;
+    edges.push_back(edge);
+    const Vec2 out = glm::normalize(on_paper(view.axes, edge.outwards));
+    const Dimension dimension{edge.from, edge.to, edge.outwards, reach.line + taken(before, out),
+                              dimension_text(box.size()[axis], style)};
+    const Vec2 along = glm::normalize(on_paper(view.axes, unit(axis)));
+    const double across = std::abs(along.x * out.y - along.y * out.x);
+    take(room, (dimension.distance / across + reach.end) * out);
+    dimensions.push_back(dimension);
+  }
+  return dimensions;
+}
+
+}  // namespace burin::detail

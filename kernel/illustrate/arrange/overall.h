@@ -1,0 +1,35 @@
+#pragma once
+// Width, depth and height of what a sheet shows; internal to the module.
+
+#include <burin/annotate/dimensions.h>
+#include <burin/arrange/illustration.h>
+#include <burin/base/box.h>
+#include <burin/camera/sheet.h>
+#include <burin/surface/scene.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace burin::detail {
+
+/// A view that may show them, and what of them it does.
+struct OverallView {
+  /// Right, up and to the viewer, unit.
+  Mat3 axes{1};
+  /// Of one that others come before: a section.
+  bool last = false;
+  /// Of width, depth and height.
+  std::array<bool, 3> shows{};
+};
+
+/// Gives each of width, depth and height to the first view that shows it square to the sheet, else
+/// to the first that shows it at all. Tells of those that no view shows, and of those that cuts or
+/// parts that came apart have made another one.
+void share_overall(Scene& scene, const Illustration& illustration, std::span<OverallView> views);
+
+/// The dimensions that a view shows of a box, beyond the room that is taken beside it; adds theirs.
+std::vector<Dimension> overall_dimensions(const Box3& box, const OverallView& view,
+                                          const DimensionOptions& style, Margin& room);
+
+}  // namespace burin::detail

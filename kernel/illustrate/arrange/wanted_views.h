@@ -1,0 +1,43 @@
+#pragma once
+// The views that a sheet of several shows, and where sections cut in them; internal to the module.
+
+#include <burin/annotate/sections.h>
+#include <burin/arrange/illustration.h>
+#include <burin/surface/scene.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// A view of the sheet before it has its place.
+struct WantedView {
+  std::string name;
+  /// The view in whose place it stands.
+  std::string stands_as;
+  ViewOptions view;
+  const SectionView* section = nullptr;
+  /// Paper mm that marks and names need beside it.
+  Margin room = Margin(0);
+};
+
+/// Those that are named, and one for each section that has its own. Without names the view that is
+/// asked for, after those that see sections from their edges where it does not itself; none where
+/// no section has a view of its own.
+std::vector<WantedView> wanted_views(const Illustration& illustration);
+
+/// The number of the view that shows where a section cuts, if one does.
+std::optional<std::size_t> parent_of(const std::vector<WantedView>& views,
+                                     const Illustration& illustration, const SectionView& section);
+
+/// Where a section cuts, in a view with that camera.
+SectionMark mark_of(const SectionView& section, const Scene& scene,
+                    const Illustration& illustration, const ViewOptions& view,
+                    const Camera& camera);
+
+/// Tells of a section that no view shows from its edge.
+void report_no_line(Scene& scene, const Illustration& illustration, const SectionView& section);
+
+}  // namespace burin::detail
