@@ -16,14 +16,14 @@ struct Elsewhere {
 
 const std::vector<Elsewhere>& elsewhere() {
   static const std::vector<Elsewhere> rows = {
-      {{"title", "caption", "heading", "drawing name", "title block", "titleblock", "name"},
+      {{"title", "caption", "heading", "drawing name", "name"},
        "a title is a key of illustration files, \"title\": \"...\" (burin illustrate writes one)"},
-      {{"dimensions", "dims", "dimension", "dimensioning", "measure", "measurements", "measures",
-        "sizes", "annotate dimensions", "pmi", "gdt", "tolerancing"},
-       "Burin draws no dimensions; burin info lists sizes, `callouts` numbers the items"},
+      {{"dims", "dimensioning", "measures", "sizes", "annotate dimensions", "pmi", "gdt",
+        "tolerancing"},
+       "`dimensions` overall writes width, depth and height; others are not drawn"},
       {{"frame", "drawing frame", "sheet frame", "template sheet", "border lines", "grid",
         "watermark", "logo"},
-       "Burin draws no frames round the sheet; SVG, PDF and DXF files can be placed in one"},
+       "`title_block` takes a sheet's template, FILE.svg, with its frame"},
       {{"translate", "move", "place", "position", "transform", "matrix", "mirror", "scale part"},
        "a part is placed by a key of illustration files, \"place\" (burin illustrate writes one)"},
       {{"units", "unit", "inch", "inches", "mm", "metric", "imperial"},

@@ -254,7 +254,7 @@ TEST_F(CliSignals, SecondSignalKills) {
 TEST_F(CliErrors, OptionsOfOtherProgramsAreUnderstood) {
   const std::vector<std::pair<std::string, std::string>> words = {
       {"--title Pump", "\"title\""},
-      {"--dimensions", "Burin draws no dimensions"},
+      {"--dims", "overall writes width, depth and height"},
       {"--bom", "--parts-list"},
       {"--balloons", "--callouts"},
       {"--labels", "--callouts"},

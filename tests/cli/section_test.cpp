@@ -49,10 +49,10 @@ TEST_F(Sections, ThatCutNothingSaySo) {
 }
 
 TEST_F(Sections, HaveViewsOfTheirOwn) {
-  ASSERT_EQ(
-      run("draw @/box.off --views front,top --section-view y=1 --section-view x --style outline "
-          "--verify -o @/a.json"),
-      0)
+  ASSERT_EQ(run("draw @/box.off --paper A5 --views front,top --section-view y=1 --section-view x "
+                "--style outline "
+                "--verify -o @/a.json"),
+            0)
       << err_;
   const auto names = [&] {
     const Json d = drawing();
@@ -72,10 +72,10 @@ TEST_F(Sections, HaveViewsOfTheirOwn) {
   }
   EXPECT_EQ(texts, (std::map<std::string, int>{{"A", 2}, {"A-A", 1}, {"B", 2}, {"B-B", 1}}));
   // A file of it says the same.
-  ASSERT_EQ(
-      run("illustrate @/box.off --section-view y=1 --section-view x --views front,top --style "
-          "outline -o @/i.burin.json"),
-      0)
+  ASSERT_EQ(run("illustrate @/box.off --paper A5 --section-view y=1 --section-view x --views "
+                "front,top --style "
+                "outline -o @/i.burin.json"),
+            0)
       << err_;
   const std::string once = test::slurp(folder_ / "a.json");
   ASSERT_EQ(run("draw @/i.burin.json -o @/a.json"), 0) << err_;

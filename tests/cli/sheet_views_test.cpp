@@ -84,7 +84,8 @@ TEST_F(SheetViews, TakeAScaleOfIso5455WhereAsked) {
   };
   for (const char* views : {"", "--views front,top,left,iso ", "--detail 40,30,20,4=5:1 ",
                             "--callouts --parts-list sheet "}) {
-    const double most = scale_of(views), iso = scale_of(std::string(views) + "--scale iso");
+    const std::string sheet = std::string("--paper A4 ") + views;
+    const double most = scale_of(sheet), iso = scale_of(sheet + "--scale iso");
     EXPECT_EQ(iso, standard_scale(most)) << views;
   }
   EXPECT_EQ(scale_of("--scale ISO --view front --paper A5"), 2);

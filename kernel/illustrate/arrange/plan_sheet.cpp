@@ -67,7 +67,7 @@ SheetOptions sheet_with_tables(const Camera::ExtentFn& extent, const Illustratio
 SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration,
                              const Margin& room) {
   SheetOptions sheet = sheet_with_tables(extent, illustration);
-  sheet.margin = margin_of(sum(sheet.margin, room), illustration);
+  sheet.margin = sum(sheet.margin, room);
   return sheet;
 }
 

@@ -18,7 +18,7 @@ std::vector<GridView> block_of(std::vector<std::string> names) {
                       : name == "top" || name == "bottom" ? Vec2(60, 40)
                       : name == "left" || name == "right" ? Vec2(40, 20)
                                                           : Vec2(70, 60);
-    views.push_back({std::move(name), size, Vec2(0)});
+    views.push_back({std::move(name), size});
   }
   return views;
 }
@@ -56,7 +56,7 @@ TEST(ViewGrid, RowsAndColumnsHaveOneMiddleAndNothingOverlaps) {
 
 TEST(ViewGrid, FillsTheFrameAndNoMore) {
   auto views = block_of({"front", "top", "left", "iso"});
-  views[3].room = {25, 5};
+  views[3].room = {5, 25, 5, 25};
   const ViewGrid g = arrange_views(views, ProjectionMethod::FirstAngle, kFrame, 12, {});
   const Vec2 left = kFrame.size() - g.box.size();
   EXPECT_GE(std::min(left.x, left.y), -1e-9);
@@ -65,6 +65,18 @@ TEST(ViewGrid, FillsTheFrameAndNoMore) {
   const ViewGrid given = arrange_views(views, ProjectionMethod::FirstAngle, kFrame, 12, 0.5);
   EXPECT_DOUBLE_EQ(given.scale, 0.5);
   EXPECT_LT(glm::distance(given.box.center(), kFrame.center()), 1e-9);
+}
+
+TEST(ViewGrid, RoomOfOneSideIsTakenThereAndMiddlesStayInLine) {
+  auto views = block_of({"front", "top", "left"});
+  views[0].room = Margin(0, 0, 20, 0);  // below
+  views[1].room = Margin(0, 0, 0, 15);  // at the left
+  const ViewGrid g = arrange_views(views, ProjectionMethod::FirstAngle, kFrame, 12, 1);
+  EXPECT_NEAR(g.middles[0].y - g.boxes[0].min.y, 0.5 * views[0].size.y + 20, 1e-9);
+  EXPECT_NEAR(g.boxes[0].max.y - g.middles[0].y, 0.5 * views[0].size.y, 1e-9);
+  EXPECT_NEAR(g.middles[1].x - g.boxes[1].min.x, 0.5 * views[1].size.x + 15, 1e-9);
+  EXPECT_DOUBLE_EQ(g.middles[0].y, g.middles[2].y);
+  EXPECT_DOUBLE_EQ(g.middles[0].x, g.middles[1].x);
 }
 
 TEST(ViewGrid, EmptyLanesTakeNoRoom) {
@@ -87,7 +99,7 @@ TEST(ViewGrid, RefusesWhatHasNoRoomOrNoExtent) {
   EXPECT_THROW(arrange_views(block_of({"front", "left", "right"}), ProjectionMethod::FirstAngle,
                              tiny, 12, {}),
                UsageError);
-  const std::vector<GridView> point{{"front", Vec2(0), Vec2(0)}};
+  const std::vector<GridView> point{{"front", Vec2(0)}};
   EXPECT_THROW(arrange_views(point, ProjectionMethod::FirstAngle, kFrame, 12, {}), GeometryError);
 }
 

@@ -45,7 +45,7 @@ TEST(Style, EveryMemberHasOneKey) {
   EXPECT_EQ(names.size(), keys.size());
   EXPECT_EQ(keys.size(), 13u + 10u + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
                              3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ + 6u /*callout*/ +
-                             4u /*svg*/ + 1u /*json*/);
+                             4u /*dimension*/ + 4u /*svg*/ + 1u /*json*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
