@@ -736,6 +736,10 @@
       <translation>Tiefe</translation>
     </message>
     <message>
+      <source>dimension</source>
+      <translation>Bemaßung</translation>
+    </message>
+    <message>
       <source>drawing</source>
       <translation>wird gezeichnet</translation>
     </message>
