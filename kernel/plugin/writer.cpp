@@ -34,7 +34,7 @@ class Flat {
     all_ = {d.paper_width,         d.paper_height, d.title.c_str(), d.ink_color.c_str(),
             d.paper_color.c_str(), parts_.size(),  parts_.data(),   paths_.size(),
             paths_.data(),         widths_.size(), points_.data(),  widths_.data(),
-            texts_.size(),         texts_.data(), turns_.data()};
+            texts_.size(),         texts_.data(),  turns_.data()};
   }
   Flat(const Flat&) = delete;
   Flat& operator=(const Flat&) = delete;

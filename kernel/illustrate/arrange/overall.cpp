@@ -111,7 +111,7 @@ Edge best_edge(const Box3& box, const Mat3& axes, int axis, std::span<const Edge
     edge.to = edge.from;
     edge.to[axis] = box.max[axis];
     edge.rank = rank_of(along, glm::normalize(out)) + (out_axis == 2 ? kUpwards : 0);
-    for (const Edge& other : others) edge.rank += share_a_line(edge, other) ? 1 : 0;
+    for (const Edge& laid : others) edge.rank += share_a_line(edge, laid) ? 1 : 0;
     if (edge.rank < best.rank - kBetter) best = edge;
   }
   return best;

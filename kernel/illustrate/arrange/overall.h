@@ -8,7 +8,9 @@
 #include <burin/surface/scene.h>
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace burin::detail {
@@ -31,5 +33,23 @@ void share_overall(Scene& scene, const Illustration& illustration, std::span<Ove
 /// The dimensions that a view shows of a box, beyond the room that is taken beside it; adds theirs.
 std::vector<Dimension> overall_dimensions(const Box3& box, const OverallView& view,
                                           const DimensionOptions& style, Margin& room);
+
+/// What views measure of width, depth and height; they keep room for it.
+class Overall {
+ public:
+  Overall(Scene& scene, const Illustration& illustration, std::vector<OverallView> views)
+      : illustration_(illustration), views_(std::move(views)) {
+    share_overall(scene, illustration, views_);
+  }
+  /// Those of a view, beyond the room that is taken beside it; adds theirs.
+  std::vector<Dimension> of_view(std::size_t i, Margin& room) const {
+    if (!illustration_.whole) return {};
+    return overall_dimensions(*illustration_.whole, views_[i], illustration_.style.dimension, room);
+  }
+
+ private:
+  const Illustration& illustration_;
+  std::vector<OverallView> views_;
+};
 
 }  // namespace burin::detail

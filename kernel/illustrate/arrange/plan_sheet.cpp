@@ -71,9 +71,21 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
   return sheet;
 }
 
+/// What is drawn, with the ends of what is measured: corners of a box about it, which an oblique
+/// view may show farther out.
+Camera::ExtentFn with_measured(Camera::ExtentFn drawn, std::vector<Dimension> dimensions) {
+  return [drawn = std::move(drawn), dimensions = std::move(dimensions)](const Mat3& axes) {
+    Box3 box = drawn(axes);
+    for (const Dimension& one : dimensions) box.add(axes * one.from), box.add(axes * one.to);
+    return box;
+  };
+}
+
 /// The camera of a view that has the sheet for itself. `room`: of dimensions.
-Camera lone_camera(const Scene& scene, const Illustration& illustration, const Margin& room) {
-  const Camera::ExtentFn extent = extent_of(scene, illustration, illustration.view);
+Camera lone_camera(const Scene& scene, const Illustration& illustration,
+                   const std::vector<Dimension>& dimensions, const Margin& room) {
+  const Camera::ExtentFn extent =
+      with_measured(extent_of(scene, illustration, illustration.view), dimensions);
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
     return Camera::fit(
@@ -116,24 +128,6 @@ Mat3 axes_of(const ViewOptions& view) {
   return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
 }
 
-/// What views measure of width, depth and height; they keep room for it.
-class Overall {
- public:
-  Overall(Scene& scene, const Illustration& illustration, std::vector<detail::OverallView> views)
-      : illustration_(illustration), views_(std::move(views)) {
-    detail::share_overall(scene, illustration, views_);
-  }
-  std::vector<Dimension> of_view(std::size_t i, Margin& room) const {
-    if (!illustration_.whole) return {};
-    return detail::overall_dimensions(*illustration_.whole, views_[i],
-                                      illustration_.style.dimension, room);
-  }
-
- private:
-  const Illustration& illustration_;
-  std::vector<detail::OverallView> views_;
-};
-
 /// Places views of an illustration one after the other.
 class SheetPlanner {
  public:
@@ -156,6 +150,11 @@ class SheetPlanner {
   SheetOfViews run() {
     const Vec2 free = frame_.size();
     views_ = detail::wanted_views(illustration_);
+    std::vector<detail::OverallView> seen;
+    for (const detail::WantedView& wanted : views_)
+      seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
+    if (views_.empty()) seen.push_back({axes_of(illustration_.view)});
+    overall_.emplace(scene_, illustration_, std::move(seen));
     std::vector<std::string> letters;
     for (const SectionView& view : illustration_.section_views) letters.push_back(view.letter);
     details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_view()),
@@ -233,29 +232,30 @@ class SheetPlanner {
   }
 
   /// A camera whose picture stands in the middle of a box.
-  Camera in_box(ViewOptions view, const Box2& box) const {
+  Camera in_box(ViewOptions view, const Box2& box, const std::vector<Dimension>& measured) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
-    const Camera::ExtentFn shown = extent(view);
+    const Camera::ExtentFn shown = with_measured(extent(view), measured);
     const SheetOptions whole{.margin = Margin(0), .iso_scale = illustration_.sheet.iso_scale};
     return Camera::fit(shown, settle(shown, view, whole)).on_sheet(sheet, box.min);
   }
 
   /// A camera of a given scale whose picture has its middle there.
-  Camera on_middle(ViewOptions view, Vec2 middle) const {
+  Camera on_middle(ViewOptions view, Vec2 middle, const std::vector<Dimension>& measured) const {
     const Paper sheet = view.paper;
     const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
     view.margin = 0;
-    return Camera::fit(extent(view), view).on_sheet(sheet, middle - half);
+    return Camera::fit(with_measured(extent(view), measured), view).on_sheet(sheet, middle - half);
   }
 
   void place_one() {
     const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
     Margin room(0);
-    const Overall overall(scene_, illustration_, {{axes_of(illustration_.view)}});
-    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, overall.of_view(0, room)};
-    view.camera = in_box(illustration_.view, {frame_.min + callouts + Vec2(room.left, room.bottom),
-                                              frame_.max - callouts - Vec2(room.right, room.top)});
+    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, overall_->of_view(0, room)};
+    view.camera = in_box(illustration_.view,
+                         {frame_.min + callouts + Vec2(room.left, room.bottom),
+                          frame_.max - callouts - Vec2(room.right, room.top)},
+                         view.dimensions);
     sheet_.views.push_back(std::move(view));
   }
 
@@ -271,17 +271,15 @@ class SheetPlanner {
       sheet_.symbol_at = frame_.min;
       frame.min.y += projection_symbol_size().y + 0.5 * kBetweenViews;
     }
-    std::vector<detail::OverallView> seen;
-    for (const detail::WantedView& wanted : views_)
-      seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
-    const Overall overall(scene_, illustration_, std::move(seen));
     std::vector<std::vector<Dimension>> dimensions;
     std::vector<GridView> grid_views;
     const std::size_t numbered = view_with_callouts();
     for (const detail::WantedView& wanted : views_) {
-      const Vec3 size = extent(wanted.view)(axes_of(wanted.view)).size();
-      GridView view{wanted.stands_as, {size.x, size.y}, wanted.room};
-      dimensions.push_back(overall.of_view(dimensions.size(), view.room));
+      GridView view{wanted.stands_as, Vec2(0), wanted.room};
+      dimensions.push_back(overall_->of_view(dimensions.size(), view.room));
+      const Vec3 size =
+          with_measured(extent(wanted.view), dimensions.back())(axes_of(wanted.view)).size();
+      view.size = {size.x, size.y};
       if (grid_views.size() == numbered) {
         const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
         Margin& m = view.room;
@@ -300,7 +298,7 @@ class SheetPlanner {
       view.scale = grid.scale;
       const Vec2 half = 0.5 * grid.scale * grid_views[i].size, middle = grid.middles[i];
       const Box2 drawn{middle - half, middle + half};
-      PlacedView placed{views_[i].name, on_middle(view, middle), grid.boxes[i]};
+      PlacedView placed{views_[i].name, on_middle(view, middle, dimensions[i]), grid.boxes[i]};
       placed.callouts = i == numbered;
       placed.dimensions = std::move(dimensions[i]);
       if (const SectionView* section = views_[i].section) {
@@ -366,6 +364,7 @@ class SheetPlanner {
   bool with_circles_ = false;
   std::vector<detail::PlannedDetail> details_;
   std::vector<detail::WantedView> views_;
+  std::optional<detail::Overall> overall_;
   SheetOfViews sheet_;
 };
 
@@ -385,9 +384,9 @@ SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
   }
   SheetOfViews sheet;
   Margin room(0);
-  const Overall overall(scene, illustration, {{axes_of(illustration.view)}});
+  const detail::Overall overall(scene, illustration, {{axes_of(illustration.view)}});
   std::vector<Dimension> dimensions = overall.of_view(0, room);
-  const Camera camera = lone_camera(scene, illustration, room);
+  const Camera camera = lone_camera(scene, illustration, dimensions, room);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
   sheet.views.front().dimensions = std::move(dimensions);
   return sheet;

@@ -131,6 +131,23 @@ TEST_F(OverallDimensions, StandOffTheDrawingAndOnTheSheet) {
   }
 }
 
+/// A bar across the diagonal of its box, whose corners are bare.
+TEST_F(OverallDimensions, KeepTheCornersOfTheBoxOnTheSheet) {
+  TriMesh bar = test::box({-30, -4, 0}, {30, 4, 6});
+  for (Vec3& p : bar.positions) p = {0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z};
+  scene_.parts = {{"bar", "a.step", std::make_shared<MeshForm>(bar)}};
+  for (const Vec3 direction : {Vec3(1, -1, 1), Vec3(1, 1, 1), Vec3(0.87, 0.76, -0.8)}) {
+    plan_.view.direction = direction;
+    const Drawing drawing = illustrate(scene_, planned(), plan_, context_);
+    const auto layer = std::ranges::find(drawing.layers, "dimensions", &Layer::name);
+    ASSERT_NE(layer, drawing.layers.end());
+    const Box2 frame{Vec2(9.9), Vec2(drawing.paper_width, drawing.paper_height) - 9.9};
+    for (const Path& path : layer->paths) {
+      for (const Vec2& p : path.points) EXPECT_TRUE(frame.contains(p)) << p.x << " " << p.y;
+    }
+  }
+}
+
 TEST_F(OverallDimensions, DoNotLieAboutWhatWasCutOrCameApart) {
   plan_.sections = {{.planes = {{.axis = {0, 1, 0}, .side = -1, .offset = 12}}}};
   EXPECT_EQ(texts(), (Texts{{"", {"60", "30"}}}));

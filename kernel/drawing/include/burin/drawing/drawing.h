@@ -74,8 +74,8 @@ struct Text {
   TextAnchor anchor = TextAnchor::Start;
   /// UTF-8.
   std::string text;
-  /// What it is: "callout", "parts_list", "legend", "title_block", "detail", "section", "dimension",
-  /// "step".
+  /// What it is: "callout", "parts_list", "legend", "title_block", "detail", "section",
+  /// "dimension", "step".
   std::string role = {};
   /// The number of the item that it is about; 0: none.
   int item = 0;

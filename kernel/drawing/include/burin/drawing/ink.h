@@ -26,7 +26,8 @@ inline constexpr std::string_view kCentreLayer = "centre";
 /// The layer of the lines along which views are cut for sections.
 inline constexpr std::string_view kSectionPlaneLayer = "section-plane";
 
-/// Whether the lines of a layer have long dashes and dots, as ISO 128-2 has axes and cutting planes.
+/// Whether the lines of a layer have long dashes and dots, as ISO 128-2 has axes and cutting
+/// planes.
 inline bool has_long_dashes(std::string_view layer) {
   return layer == kCentreLayer || layer == kSectionPlaneLayer;
 }

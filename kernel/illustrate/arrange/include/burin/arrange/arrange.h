@@ -44,8 +44,8 @@ void split_parts(Scene& scene, const Illustration& illustration, std::vector<Par
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context);
 /// Cuts the parts by the sections of an illustration, once `select_parts` knows which are drawn;
 /// sections with a view of their own cut copies (`Illustration::section_views`). Tells of sections
-/// that cut nothing and of parts that stay whole by custom. Throws UsageError where a selector names
-/// nothing, nothing is left, or a letter stands twice.
+/// that cut nothing and of parts that stay whole by custom. Throws UsageError where a selector
+/// names nothing, nothing is left, or a letter stands twice.
 void cut_parts(Scene& scene, Illustration& illustration);
 /// The steps by which a scene comes apart, once `select_parts` knows which parts are drawn: those
 /// of the illustration, or those that are found, as selectors that name the parts. Diagnostics go
