@@ -77,6 +77,11 @@ void choose_parts(Revision& before, Revision& after) {
 
 /// What of the plan is about one model alone.
 void leave_out(DrawPlan& plan) {
+  if (plan.overall_dimensions) {
+    plan.overall_dimensions = false;
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   "dimensions have no effect on a drawing of two revisions");
+  }
   if (std::erase_if(plan.sections, [](const Section& section) { return section.own_view; }) > 0) {
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    "section views have no effect on a drawing of two revisions: `section` cuts all "

@@ -80,6 +80,9 @@ void lay_details(Drawing& sheet, std::span<const DetailMark> marks, const Callou
   }
   sheet.layers.push_back(std::move(layer));
   std::vector<Box2> taken;
+  for (const Layer& other : sheet.layers) {
+    for (const Text& text : other.texts) taken.push_back(text_box(text));
+  }
   std::vector<Text> texts;
   for (const DetailMark& mark : marks) {
     const Box2 box = letter_box(sheet, mark, style.height, taken);

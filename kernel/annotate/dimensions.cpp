@@ -168,6 +168,16 @@ void lay_dimensions(Drawing& drawing, const Camera& camera, std::span<const Dime
   for (const Dimension& dimension : dimensions) {
     Laid(camera, dimension, style).lay(drawing, layer);
   }
+  const Box2 sheet{Vec2(0), {drawing.paper_width, drawing.paper_height}};
+  const auto cut = std::ranges::count_if(layer.texts, [&](const Text& text) {
+    const Box2 box = text_box(text);
+    return !sheet.contains(box.min) || !sheet.contains(box.max);
+  });
+  if (cut > 0) {
+    drawing.diagnostics.add(Severity::Warning, "dimensions.off_sheet", cut,
+                            "numbers of dimensions run off the sheet: a larger `paper` or smaller "
+                            "`dimension.height` has room for them");
+  }
   drawing.layers.push_back(std::move(layer));
 }
 

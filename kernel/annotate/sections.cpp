@@ -33,6 +33,27 @@ Path arrow_head(Vec2 tip, Vec2 way, double length) {
   return head;
 }
 
+/// Where the letter of an end stands: beside the arrow's shaft, away from the drawing.
+Text letter_at(Vec2 end, Vec2 inwards, const SectionMark& mark, double h) {
+  const Vec2 half = 0.5 * Vec2(text_width(mark.letter, h), h);
+  const double reach = kBeside * h + glm::dot(glm::abs(inwards), half);
+  const Vec2 middle = end - 0.5 * kShaft * h * mark.sight - reach * inwards;
+  return {middle - Vec2(0, half.y), h, TextAnchor::Middle, mark.letter, "section", 0};
+}
+
+/// An end of a line, moved out until its arrow and letter stand clear of those that are there.
+Vec2 free_end(Vec2 end, Vec2 inwards, const SectionMark& mark, double h, const Layer& layer) {
+  constexpr int kMost = 8;
+  const auto is_taken = [&](Vec2 at) {
+    Box2 box = text_box(letter_at(at, inwards, mark, h));
+    box.add(at), box.add(at - kShaft * h * mark.sight);
+    return std::ranges::any_of(layer.texts,
+                               [&](const Text& other) { return text_box(other).overlaps(box); });
+  };
+  for (int i = 0; i < kMost && is_taken(end); ++i) end -= h * inwards;
+  return end;
+}
+
 /// An end of the line: wide, with an arrow that comes from the viewer's side, and its letter.
 void lay_end(Vec2 end, Vec2 inwards, const SectionMark& mark, const CalloutOptions& style,
              Layer& layer) {
@@ -41,12 +62,7 @@ void lay_end(Vec2 end, Vec2 inwards, const SectionMark& mark, const CalloutOptio
   const Vec2 tail = end - kShaft * h * mark.sight;
   layer.paths.push_back(line(tail, end - 0.5 * kHead * h * mark.sight, style.line));
   layer.paths.push_back(arrow_head(end, mark.sight, kHead * h));
-  // Beside the shaft, away from the drawing.
-  const Vec2 half = 0.5 * Vec2(text_width(mark.letter, h), h);
-  const double reach = kBeside * h + glm::dot(glm::abs(inwards), half);
-  const Vec2 middle = end - 0.5 * kShaft * h * mark.sight - reach * inwards;
-  layer.texts.push_back(
-      {middle - Vec2(0, half.y), h, TextAnchor::Middle, mark.letter, "section", 0});
+  layer.texts.push_back(letter_at(end, inwards, mark, h));
 }
 
 /// Both sides of the corner in which a step ends, wide.
@@ -95,13 +111,17 @@ void lay_sections(Drawing& sheet, std::span<const SectionMark> marks,
   Layer plane{std::string(kSectionPlaneLayer), {}}, over{"section-marks", {}};
   for (const SectionMark& mark : marks) {
     leave_out_under(mark, sheet);
-    const std::vector<Vec2>& course = mark.course;
+    std::vector<Vec2> course = mark.course;
+    const Vec2 first = glm::normalize(course[1] - course[0]),
+               final = glm::normalize(course[course.size() - 2] - course.back());
+    course.front() = free_end(course.front(), first, mark, style.height, over);
+    course.back() = free_end(course.back(), final, mark, style.height, over);
     Path path = line(course.front(), course.back(), style.line);
     path.points = course;
     plane.paths.push_back(std::move(path));
     const std::size_t last = course.size() - 1;
-    lay_end(course.front(), glm::normalize(course[1] - course[0]), mark, style, over);
-    lay_end(course.back(), glm::normalize(course[last - 1] - course[last]), mark, style, over);
+    lay_end(course.front(), first, mark, style, over);
+    lay_end(course.back(), final, mark, style, over);
     for (std::size_t i = 1; i < last; ++i)
       lay_corner(course[i - 1], course[i], course[i + 1], style, over);
   }

@@ -62,6 +62,10 @@ class SectionRegions {
     view.place = section_.place;
     for (std::size_t i = 0; i < section_.planes.size(); ++i) {
       const PlacedPlane plane = placed_plane(section_.planes[i]);
+      const bool inside = plane.offset > plane.low && plane.offset < plane.high;
+      if (section_.steps && !inside) {
+        throw UsageError(says(plane) + ": each step of a section view lies within the model");
+      }
       (i % 2 == 0 ? view.faces : view.ends).push_back(plane.offset);
       if (i == 1) view.across = plane.axis;
     }

@@ -39,9 +39,9 @@ bool is_seen(const OverallView& view, int axis) {
 
 OverallView* view_of(std::span<OverallView> views, int axis) {
   for (const auto shows : {is_square, is_seen}) {
-    for (const bool last : {false, true}) {
+    for (int rank = 0; rank <= 2; ++rank) {
       for (OverallView& view : views) {
-        if (view.last == last && shows(view, axis)) return &view;
+        if (view.rank == rank && shows(view, axis)) return &view;
       }
     }
   }

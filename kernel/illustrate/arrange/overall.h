@@ -5,6 +5,7 @@
 #include <burin/arrange/illustration.h>
 #include <burin/base/box.h>
 #include <burin/camera/sheet.h>
+#include <burin/illustrate/illustrate.h>
 #include <burin/surface/scene.h>
 
 #include <array>
@@ -19,8 +20,8 @@ namespace burin::detail {
 struct OverallView {
   /// Right, up and to the viewer, unit.
   Mat3 axes{1};
-  /// Of one that others come before: a section.
-  bool last = false;
+  /// Those of a lower rank come before: a view with the line of a section, and a section itself.
+  int rank = 0;
   /// Of width, depth and height.
   std::array<bool, 3> shows{};
 };
@@ -39,16 +40,19 @@ class Overall {
  public:
   Overall(Scene& scene, const Illustration& illustration, std::vector<OverallView> views)
       : illustration_(illustration), views_(std::move(views)) {
+    if (illustration.overall_dimensions)
+      drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
     share_overall(scene, illustration, views_);
   }
   /// Those of a view, beyond the room that is taken beside it; adds theirs.
   std::vector<Dimension> of_view(std::size_t i, Margin& room) const {
     if (!illustration_.whole) return {};
-    return overall_dimensions(*illustration_.whole, views_[i], illustration_.style.dimension, room);
+    return overall_dimensions(drawn_, views_[i], illustration_.style.dimension, room);
   }
 
  private:
   const Illustration& illustration_;
+  Box3 drawn_;
   std::vector<OverallView> views_;
 };
 

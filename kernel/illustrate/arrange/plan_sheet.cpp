@@ -152,7 +152,7 @@ class SheetPlanner {
     views_ = detail::wanted_views(illustration_);
     std::vector<detail::OverallView> seen;
     for (const detail::WantedView& wanted : views_)
-      seen.push_back({axes_of(wanted.view), wanted.section != nullptr});
+      seen.push_back({axes_of(wanted.view), wanted.section ? 2 : wanted.marked ? 1 : 0});
     if (views_.empty()) seen.push_back({axes_of(illustration_.view)});
     overall_.emplace(scene_, illustration_, std::move(seen));
     std::vector<std::string> letters;

@@ -135,8 +135,10 @@ std::vector<WantedView> wanted_views(const Illustration& illustration) {
   for (const SectionView& section : sections)
     views.push_back(of_section(section, views, illustration));
   for (const SectionView& section : sections) {
-    if (const auto parent = parent_of(views, illustration, section))
-      keep_room_for_mark(section, illustration.style.callout, views[*parent]);
+    const auto parent = parent_of(views, illustration, section);
+    if (!parent) continue;
+    views[*parent].marked = true;
+    keep_room_for_mark(section, illustration.style.callout, views[*parent]);
   }
   return views;
 }

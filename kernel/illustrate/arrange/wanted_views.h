@@ -19,6 +19,8 @@ struct WantedView {
   std::string stands_as;
   ViewOptions view;
   const SectionView* section = nullptr;
+  /// Whether it shows where a section cuts.
+  bool marked = false;
   /// Paper mm that marks and names need beside it.
   Margin room = Margin(0);
 };

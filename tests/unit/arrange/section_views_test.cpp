@@ -199,6 +199,31 @@ TEST_F(SectionViews, KeepMarksAndNamesOnTheSheetAndOffTheViews) {
   }
 }
 
+TEST_F(SectionViews, OfOnePlaceKeepTheirLettersApart) {
+  plan_.sections = {at({0, 1, 0}, -1, 12), at({0, 1, 0}, -1, 12), at({0, 1, 0}, -1, 13)};
+  const Drawing drawing = illustrate(scene_, planned(), plan_, context_);
+  const auto marks = std::ranges::find(drawing.layers, "section-marks", &Layer::name);
+  ASSERT_NE(marks, drawing.layers.end());
+  EXPECT_EQ(marks->texts.size(), 9U);
+  for (const Text& a : marks->texts) {
+    for (const Text& b : marks->texts) {
+      EXPECT_TRUE(&a == &b || !text_box(a).overlaps(text_box(b))) << a.text << " over " << b.text;
+    }
+  }
+}
+
+TEST_F(SectionViews, WithAStepBeyondTheModelAreRefused) {
+  for (const double end : {100.0, -5.0}) {
+    Section steps;
+    steps.planes = {{.axis = {0, 1, 0}, .side = -1, .offset = 12},
+                    {.axis = {1, 0, 0}, .offset = end},
+                    {.axis = {0, 1, 0}, .side = -1, .offset = 30}};
+    steps.steps = steps.own_view = true;
+    plan_.sections = {steps};
+    EXPECT_THROW(arrange_parts(scene_, plan_, context_), UsageError) << end;
+  }
+}
+
 TEST_F(SectionViews, ComeApartAsTheOthersDo) {
   plan_.sections = {at({0, 1, 0}, -1, 12)};
   plan_.explode.wanted = true;
