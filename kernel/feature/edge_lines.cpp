@@ -30,6 +30,8 @@ struct Look {
   bool face_left = true;
   /// Sign of the sum of both normals towards the open side.
   int open = 1;
+  /// Drawn where nothing but paper is behind it.
+  bool border_alone = false;
   friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -209,7 +211,10 @@ class LineMaker {
         crease_look(s.left_front, s.right_front,
                     chain_.kind == EdgeKind::ConvexCrease || doubtful(s), closed_mesh_);
     if (out.look.kind == LineClass::Crease && at_cut(s)) out.look.kind = LineClass::Section;
-    if (changes_plane(s)) out.look.drawn = false;
+    if (changes_plane(s)) {
+      out.look.border_alone = out.look.kind == LineClass::Contour;
+      out.look.drawn = out.look.border_alone;
+    }
     return out;
   }
 
@@ -278,6 +283,7 @@ class LineMaker {
     Curve3 curve;
     curve.kind = first.kind;
     curve.closed = closed;
+    curve.border_alone = first.border_alone;
     curve.occluding = first.kind == LineClass::Contour || first.kind == LineClass::Boundary;
     if (chain_.kind == EdgeKind::ConvexCrease) curve.crease_sign = 1;
     if (chain_.kind == EdgeKind::ConcaveCrease) curve.crease_sign = -1;

@@ -187,6 +187,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
     const Curve3& curve = lines.features[i];
     if (!how.draws(curve)) continue;
     for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
+      if (curve.border_alone && !span.outer) continue;
       // Hidden they say nothing.
       const bool shown_alone = curve.kind == LineClass::Pattern ||
                                curve.kind == LineClass::Isophote || curve.kind == LineClass::Trail;

@@ -48,6 +48,48 @@ TEST_F(Sections, ThatCutNothingSaySo) {
   EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
 }
 
+TEST_F(Sections, OneAfterTheOtherHaveTheirWholeOutlineWhereOneIsSeenFromItsEdge) {
+  for (const char* order : {"--section z=5 --section y=12", "--section y=12 --section z=5"}) {
+    ASSERT_EQ(run(std::string("draw @/box.off --view front --style outline --verify -o @/a.json ") +
+                  order),
+              0)
+        << err_;
+    EXPECT_NE(err_.find("verify: 0.0 of"), std::string::npos) << order << err_;
+    double length = 0;
+    const Json d = drawing();
+    for (const Json& l : d.at("layers")) {
+      if (l.at("name") != "outline") continue;
+      for (const Json& path : l.at("paths")) {
+        const Json& p = path.at("points3");
+        for (std::size_t i = 1; i < p.size(); ++i) {
+          length += std::hypot(p[i][0].get<double>() - p[i - 1][0].get<double>(),
+                               p[i][2].get<double>() - p[i - 1][2].get<double>());
+        }
+        if (path.at("closed")) {
+          length += std::hypot(p[0][0].get<double>() - p.back()[0].get<double>(),
+                               p[0][2].get<double>() - p.back()[2].get<double>());
+        }
+      }
+    }
+    EXPECT_NEAR(length, 2 * (40 + 5), 1e-3) << order;
+  }
+  // Steps of one section lie in one plane as they are seen: no line where they change.
+  ASSERT_EQ(run("draw @/box.off --view front --section y=5,x=20,y=9 --style outline --verify -o "
+                "@/a.json"),
+            0);
+  const Json d = drawing();
+  for (const Json& l : d.at("layers")) {
+    if (l.at("name") == "pattern") continue;
+    for (const Json& path : l.at("paths")) {
+      const Json& p = path.at("points3");
+      for (std::size_t i = 1; i < p.size(); ++i) {
+        const bool along = p[i - 1][0].get<double>() == 20 && p[i][0].get<double>() == 20;
+        EXPECT_FALSE(along) << l.at("name");
+      }
+    }
+  }
+}
+
 TEST_F(Sections, HaveViewsOfTheirOwn) {
   ASSERT_EQ(run("draw @/box.off --paper A5 --views front,top --section-view y=1 --section-view x "
                 "--style outline "

@@ -69,6 +69,9 @@ struct Curve3 {
   /// visibility: contours, boundaries and creases between a face turned to the viewer and one
   /// turned away.
   bool occluding = false;
+  /// Drawn where it is the border of the object alone: where a cut goes on in another plane, what
+  /// lies behind is seen as if both were one.
+  bool border_alone = false;
   /// Creases: +1 convex, -1 concave, 0 otherwise.
   int crease_sign = 0;
   /// Strokes: 1 or 2, the family of the direction field.
