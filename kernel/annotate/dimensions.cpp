@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-using detail::line;
+using detail::arrow_head, detail::line;
 
 // Of the height of numbers: arrows; between a number and its line; how far extension lines go
 // beyond the line.
@@ -36,7 +36,7 @@ class Laid {
     const double mm = 1 / camera.scale_at(middle);
     const Vec2 out = camera.to_paper(middle + mm * dimension.outwards) - camera.to_paper(middle);
     out_ = glm::normalize(out);
-    const double across = std::abs(along_.x * out_.y - along_.y * out_.x);
+    const double across = std::abs(cross2(along_, out_));
     constexpr double kSquare = 1 - 1e-6;
     square_ = glm::length(out) > kSquare && across > kSquare;
     reach_ = dimension.distance / across;
@@ -65,8 +65,8 @@ class Laid {
           line(left - 2 * arrow * to_right, right + (2 * arrow + beyond) * to_right, style_.line));
       if (!text_inside) middle = right + (2 * arrow + 0.5 * beyond) * to_right;
     }
-    layer.paths.push_back(head(a, inside ? -along_ : along_, arrow));
-    layer.paths.push_back(head(b, inside ? along_ : -along_, arrow));
+    layer.paths.push_back(arrow_head(a, inside ? -along_ : along_, arrow));
+    layer.paths.push_back(arrow_head(b, inside ? along_ : -along_, arrow));
     layer.texts.push_back(number(middle));
   }
 
@@ -75,13 +75,6 @@ class Laid {
   bool reads_along() const {
     constexpr double kUpright = 1e-9;
     return along_.x > kUpright || (along_.x > -kUpright && along_.y > 0);
-  }
-
-  Path head(Vec2 tip, Vec2 way, double length) const {
-    constexpr double kOpening = 0.36;  // of the length: 20 degrees
-    Path head = line(tip - length * way, tip, kOpening * length);
-    head.width = {kOpening * length, 0};
-    return head;
   }
 
   Text number(Vec2 middle) const {
@@ -111,7 +104,7 @@ class Laid {
         for (const Vec2& p : path.points) {
           const Vec2 to = p - end;
           const double out = glm::dot(to, out_);
-          if (out > reach_ || std::abs(to.x * out_.y - to.y * out_.x) > kOnLine) continue;
+          if (out > reach_ || std::abs(cross2(to, out_)) > kOnLine) continue;
           last = last ? std::max(*last, out) : out;
         }
       }

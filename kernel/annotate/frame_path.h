@@ -17,6 +17,14 @@ inline Path line(Vec2 a, Vec2 b, double width) {
   return path;
 }
 
+/// A filled one of 20 degrees, its tip there.
+inline Path arrow_head(Vec2 tip, Vec2 way, double length) {
+  constexpr double kOpening = 0.36;  // of the length
+  Path head = line(tip - length * way, tip, kOpening * length);
+  head.width = {kOpening * length, 0};
+  return head;
+}
+
 /// Within 0.01 mm of paper.
 inline Path circle(Vec2 center, double radius, double width) {
   constexpr int kLeast = 48, kMost = 720;

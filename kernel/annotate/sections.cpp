@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-using detail::line;
+using detail::arrow_head, detail::line;
 
 // Of the height of letters: the wide ends of the line and the stretches on both sides of a corner;
 // the arrow's shaft and head; between a letter and what is beside it; between a section and its
@@ -25,13 +25,6 @@ constexpr double kOut = 3;
 constexpr double kWide = 2.8;
 /// Paper mm: a centre line that near lies under the line of a cut.
 constexpr double kUnder = 0.1;
-
-Path arrow_head(Vec2 tip, Vec2 way, double length) {
-  constexpr double kOpening = 0.36;  // of the length: 20 degrees
-  Path head = line(tip - length * way, tip, kOpening * length);
-  head.width = {kOpening * length, 0};
-  return head;
-}
 
 /// Where the letter of an end stands: beside the arrow's shaft, away from the drawing.
 Text letter_at(Vec2 end, Vec2 inwards, const SectionMark& mark, double h) {
@@ -99,9 +92,7 @@ void leave_out_under(const SectionMark& mark, Drawing& sheet) {
 
 SectionReach section_reach(const CalloutOptions& style) {
   const double letter = 1.2 * style.height;  // no letter is wider
-  return {.beyond = kOut + kEnd * style.height,
-          .along = kBeside * style.height + letter,
-          .across = kShaft * style.height};
+  return {.beyond = kOut + kEnd * style.height, .along = kBeside * style.height + letter};
 }
 
 double section_caption(const CalloutOptions& style) { return (1 + 2 * kAbove) * style.height; }

@@ -133,40 +133,32 @@ void lay_tables(const Tables& tables, const Annotations& annotations, const Call
 
 }  // namespace detail
 
-namespace {
-
-detail::Tables tables_on(const Paper& paper, const Annotations& annotations,
-                         const CalloutOptions& style) {
-  return detail::plan_tables(annotations, style, paper);
-}
-
-}  // namespace
-
 Box2 beside_tables(const Annotations& annotations, const CalloutOptions& style,
                    const Paper& paper) {
-  return tables_on(paper, annotations, style).rest;
+  return detail::plan_tables(annotations, style, paper).rest;
 }
 
 std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
                                    const Paper& paper) {
-  const auto plan = tables_on(paper, annotations, style).list;
+  const auto plan = detail::plan_tables(annotations, style, paper).list;
   return plan ? std::optional(plan->box) : std::nullopt;
 }
 
 std::optional<Box2> legend_box(const Annotations& annotations, const CalloutOptions& style,
                                const Paper& paper) {
-  const auto plan = tables_on(paper, annotations, style).legend;
+  const auto plan = detail::plan_tables(annotations, style, paper).legend;
   return plan ? std::optional(plan->box) : std::nullopt;
 }
 
 double scale_beside_tables(const Annotations& annotations, const CalloutOptions& style,
                            const Paper& paper) {
-  return detail::scale_in(tables_on(paper, annotations, style).rest.size(), annotations.shape);
+  return detail::scale_in(detail::plan_tables(annotations, style, paper).rest.size(),
+                          annotations.shape);
 }
 
 void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
   const Paper paper{drawing.paper_width, drawing.paper_height};
-  detail::lay_tables(tables_on(paper, annotations, style), annotations, style, drawing);
+  detail::lay_tables(detail::plan_tables(annotations, style, paper), annotations, style, drawing);
 }
 
 }  // namespace burin

@@ -1,5 +1,6 @@
 #include "exact_places.h"
 
+#include <burin/base/part_ranks.h>
 #include <burin/illustrate/view_probe.h>
 #include <burin/mesh/chord_error.h>
 
@@ -90,11 +91,7 @@ double ExactDepths::flush(FaceRef a, FaceRef b, Vec3 direction) const {
 }
 
 bool ExactDepths::precedes(std::int32_t part, std::int32_t other) const {
-  const auto rank = [&](std::int32_t of) {
-    const auto i = static_cast<std::size_t>(of);
-    return i < ranks_.size() ? ranks_[i] : 0;
-  };
-  return rank(part) != rank(other) ? rank(part) > rank(other) : part < other;
+  return burin::precedes(ranks_, part, other);
 }
 
 ExactPlace ExactDepths::place(FaceRef where, Vec3 bary) const {

@@ -84,10 +84,15 @@ SheetView described(const PlacedView& view, const Drawing& drawing) {
 Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
                    const IllustrateOptions& options, RunContext& context, Session* session) {
   if (sheet.plain()) {
+    const auto draw = [&](const IllustrateOptions& lone) {
+      return session ? session->draw(scene, sheet.camera(), style, lone, context)
+                     : illustrate(scene, sheet.camera(), style, lone, context);
+    };
+    const std::vector<Dimension>& dimensions = sheet.views.front().dimensions;
+    if (dimensions.empty()) return draw(options);
     IllustrateOptions lone = options;
-    lone.dimensions = sheet.views.front().dimensions;
-    return session ? session->draw(scene, sheet.camera(), style, lone, context)
-                   : illustrate(scene, sheet.camera(), style, lone, context);
+    lone.dimensions = dimensions;
+    return draw(lone);
   }
   Session own;
   Session& kept = session ? *session : own;

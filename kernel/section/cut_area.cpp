@@ -19,9 +19,7 @@ double distance_to(Vec2 p, const std::array<Vec2, 2>& segment) {
   return glm::distance(p, segment[0] + t * e);
 }
 
-double turn(Vec2 a, Vec2 b, Vec2 c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+double turn(Vec2 a, Vec2 b, Vec2 c) { return cross2(b - a, c - a); }
 
 bool cross(const std::array<Vec2, 2>& s, const std::array<Vec2, 2>& t) {
   return turn(s[0], s[1], t[0]) * turn(s[0], s[1], t[1]) < 0 &&

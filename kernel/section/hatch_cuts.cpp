@@ -1,3 +1,4 @@
+#include <burin/base/part_ranks.h>
 #include <burin/section/hatch_cuts.h>
 
 #include "cut_area.h"
@@ -140,21 +141,13 @@ class Owners {
     constexpr double kSamePlane = 1e-9;  // of the area
     std::vector<const Area*> out;
     for (const Area& other : all_) {
-      if (!precedes(other.part, area.part) || !other.box.overlaps(area.box)) continue;
+      if (!precedes(ranks_, other.part, area.part) || !other.box.overlaps(area.box)) continue;
       if (in_one_plane(area, other, kSamePlane * area.box.diagonal())) out.push_back(&other);
     }
     return out;
   }
 
  private:
-  double rank(std::int32_t part) const {
-    const auto i = static_cast<std::size_t>(part);
-    return i < ranks_.size() ? ranks_[i] : 0;
-  }
-  bool precedes(std::int32_t a, std::int32_t b) const {
-    return rank(a) != rank(b) ? rank(a) > rank(b) : a < b;
-  }
-
   const std::vector<Area>& all_;
   std::span<const double> ranks_;
 };

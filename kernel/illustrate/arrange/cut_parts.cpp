@@ -37,14 +37,14 @@ struct PlacedPlane {
 class SectionRegions {
  public:
   SectionRegions(const Scene& scene, const Illustration& illustration, const Section& section)
-      : scene_(scene), illustration_(illustration), section_(section) {}
+      : scene_(scene), illustration_(illustration), section_(section) {
+    for (const SectionPlane& text : section.planes) planes_.push_back(placed_plane(text));
+  }
 
   /// What goes, one after the other; none where the section misses.
   std::vector<CutRegion> find() {
     if (section_.around) return around(*section_.around);
-    std::vector<PlacedPlane> planes;
-    for (const SectionPlane& text : section_.planes) planes.push_back(placed_plane(text));
-    return section_.steps ? steps(planes) : region(planes);
+    return section_.steps ? steps(planes_) : region(planes_);
   }
   /// How it misses.
   const std::string& missed() const { return missed_; }
@@ -55,13 +55,13 @@ class SectionRegions {
       throw UsageError(section_.place +
                        "a section with a view of its own is cut by one plane or in steps");
     }
-    const PlacedPlane first = placed_plane(section_.planes.front());
+    const PlacedPlane& first = planes_.front();
     SectionView view;
     view.direction = static_cast<double>(first.side) * first.axis;
     view.axis = first.axis;
     view.place = section_.place;
-    for (std::size_t i = 0; i < section_.planes.size(); ++i) {
-      const PlacedPlane plane = placed_plane(section_.planes[i]);
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const PlacedPlane& plane = planes_[i];
       const bool inside = plane.offset > plane.low && plane.offset < plane.high;
       if (section_.steps && !inside) {
         throw UsageError(says(plane) + ": each step of a section view lies within the model");
@@ -159,6 +159,7 @@ class SectionRegions {
   const Scene& scene_;
   const Illustration& illustration_;
   const Section& section_;
+  std::vector<PlacedPlane> planes_;
   std::string missed_;
 };
 

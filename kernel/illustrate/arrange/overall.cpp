@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -130,15 +131,19 @@ void take(Margin& room, Vec2 reach) {
 
 }  // namespace
 
-void share_overall(Scene& scene, const Illustration& illustration, std::span<OverallView> views) {
+Overall::Overall(Scene& scene, const Illustration& illustration, std::vector<OverallView> views)
+    : style_(illustration.style.dimension), views_(std::move(views)) {
   if (!illustration.overall_dimensions || !illustration.whole) return;
   if (illustration.view.perspective) {
     scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
                           "a perspective view has no dimensions: leave `perspective` out");
     return;
   }
-  const Box3& whole = *illustration.whole;
-  const Box3 drawn = drawn_bounds(scene, illustration.illustrate.part_styles);
+  drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
+  share(scene, *illustration.whole, illustration.explode.wanted);
+}
+
+void Overall::share(Scene& scene, const Box3& whole, bool apart) {
   constexpr double kSame = 1e-6;
   const double near = kSame * whole.diagonal();
   const auto not_drawn = [&](int axis, const char* why) {
@@ -146,14 +151,13 @@ void share_overall(Scene& scene, const Illustration& illustration, std::span<Ove
                           fmt::format("the {} has no dimension: {}", kNames[axis], why));
   };
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(drawn.min[axis] - whole.min[axis]) > near ||
-        std::abs(drawn.max[axis] - whole.max[axis]) > near) {
-      not_drawn(axis, illustration.explode.wanted ? "the parts have come apart"
-                                                  : "a section takes a part of it away");
+    if (std::abs(drawn_.min[axis] - whole.min[axis]) > near ||
+        std::abs(drawn_.max[axis] - whole.max[axis]) > near) {
+      not_drawn(axis, apart ? "the parts have come apart" : "a section takes a part of it away");
       continue;
     }
     if (whole.size()[axis] <= near) continue;  // there is none
-    if (OverallView* view = view_of(views, axis)) {
+    if (OverallView* view = view_of(views_, axis)) {
       view->shows[axis] = true;
     } else {
       not_drawn(axis, "no view of the sheet shows it");
@@ -161,22 +165,22 @@ void share_overall(Scene& scene, const Illustration& illustration, std::span<Ove
   }
 }
 
-std::vector<Dimension> overall_dimensions(const Box3& box, const OverallView& view,
-                                          const DimensionOptions& style, Margin& room) {
+std::vector<Dimension> Overall::of_view(std::size_t i, Margin& room) const {
+  const OverallView& view = views_[i];
   std::vector<Dimension> dimensions;
-  const DimensionReach reach = dimension_reach(style);
+  const DimensionReach reach = dimension_reach(style_);
   const Margin before = room;
   std::vector<Edge> edges;
   for (int axis = 0; axis < 3; ++axis) {
     if (!view.shows[axis]) continue;
-    const Edge edge = best_edge(box, view.axes, axis, edges);
+    const Edge edge = best_edge(drawn_, view.axes, axis, edges);
     if (!std::isfinite(edge.rank)) continue;
     edges.push_back(edge);
     const Vec2 out = glm::normalize(on_paper(view.axes, edge.outwards));
     const Dimension dimension{edge.from, edge.to, edge.outwards, reach.line + taken(before, out),
-                              dimension_text(box.size()[axis], style)};
+                              dimension_text(drawn_.size()[axis], style_)};
     const Vec2 along = glm::normalize(on_paper(view.axes, unit(axis)));
-    const double across = std::abs(along.x * out.y - along.y * out.x);
+    const double across = std::abs(cross2(along, out));
     take(room, (dimension.distance / across + reach.end) * out);
     dimensions.push_back(dimension);
   }

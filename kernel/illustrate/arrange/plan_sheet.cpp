@@ -118,16 +118,6 @@ Vec2 callout_capacity_of(const Illustration& illustration, Vec2 size) {
   return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
 }
 
-Mat3 axes_of(const Camera& camera) {
-  return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
-}
-
-/// Those of a view, whatever it shows.
-Mat3 axes_of(const ViewOptions& view) {
-  const ViewOptions sides{.direction = view.direction, .up = view.up};
-  return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
-}
-
 /// Places views of an illustration one after the other.
 class SheetPlanner {
  public:
@@ -152,12 +142,12 @@ class SheetPlanner {
     views_ = detail::wanted_views(illustration_);
     std::vector<detail::OverallView> seen;
     for (const detail::WantedView& wanted : views_)
-      seen.push_back({axes_of(wanted.view), wanted.section ? 2 : wanted.marked ? 1 : 0});
-    if (views_.empty()) seen.push_back({axes_of(illustration_.view)});
+      seen.push_back({detail::axes_of(wanted.view), wanted.section ? 2 : wanted.marked ? 1 : 0});
+    if (views_.empty()) seen.push_back({detail::axes_of(illustration_.view)});
     overall_.emplace(scene_, illustration_, std::move(seen));
     std::vector<std::string> letters;
     for (const SectionView& view : illustration_.section_views) letters.push_back(view.letter);
-    details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_view()),
+    details_ = detail::plan_details(scene_, illustration_.details, detail::axes_of(first_view()),
                                     std::min(free.x, free.y), std::move(letters));
     frame_ = detail::place_details(
         details_, detail_caption(illustration_.style.callout),
@@ -278,13 +268,12 @@ class SheetPlanner {
       GridView view{wanted.stands_as, Vec2(0), wanted.room};
       dimensions.push_back(overall_->of_view(dimensions.size(), view.room));
       const Vec3 size =
-          with_measured(extent(wanted.view), dimensions.back())(axes_of(wanted.view)).size();
+          with_measured(extent(wanted.view), dimensions.back())(detail::axes_of(wanted.view))
+              .size();
       view.size = {size.x, size.y};
       if (grid_views.size() == numbered) {
         const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
-        Margin& m = view.room;
-        m = Margin(m.top + callouts.y, m.right + callouts.x, m.bottom + callouts.y,
-                   m.left + callouts.x);
+        view.room = sum(view.room, Margin(callouts.y, callouts.x, callouts.y, callouts.x));
       }
       grid_views.push_back(std::move(view));
     }
@@ -322,7 +311,7 @@ class SheetPlanner {
   void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
-    const Vec3 size = extent_of(scene_, illustration_, first_view())(axes_of(main)).size();
+    const Vec3 size = extent_of(scene_, illustration_, first_view())(detail::axes_of(main)).size();
     const double drawn = main.scale() * std::max(size.x, size.y);
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });
@@ -373,7 +362,7 @@ class SheetPlanner {
 Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
   if (!illustration.views.empty()) return Vec2(0);
   const ViewOptions& view = illustration.view;
-  const Vec3 size = extent_of(scene, illustration, view)(axes_of(view)).size();
+  const Vec3 size = extent_of(scene, illustration, view)(detail::axes_of(view)).size();
   return {size.x, size.y};
 }
 
@@ -384,7 +373,7 @@ SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
   }
   SheetOfViews sheet;
   Margin room(0);
-  const detail::Overall overall(scene, illustration, {{axes_of(illustration.view)}});
+  const detail::Overall overall(scene, illustration, {{detail::axes_of(illustration.view)}});
   std::vector<Dimension> dimensions = overall.of_view(0, room);
   const Camera camera = lone_camera(scene, illustration, dimensions, room);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});

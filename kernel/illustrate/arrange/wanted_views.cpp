@@ -84,11 +84,8 @@ Vec3 along_cut(const ViewOptions& view, const SectionView& section) {
 void keep_room_for_mark(const SectionView& section, const CalloutOptions& style, WantedView& view) {
   const SectionReach reach = section_reach(style);
   const double room = reach.beyond + reach.along;
-  const ViewOptions sides{.direction = view.view.direction, .up = view.view.up};
-  const Camera camera = Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides);
-  const Vec3 along = along_cut(view.view, section);
-  const double x = room * std::abs(glm::dot(along, camera.right())),
-               y = room * std::abs(glm::dot(along, camera.up()));
+  const Vec3 along = glm::abs(axes_of(view.view) * along_cut(view.view, section));
+  const double x = room * along.x, y = room * along.y;
   Margin& m = view.room;
   m = Margin(std::max(m.top, y), std::max(m.right, x), std::max(m.bottom, y), std::max(m.left, x));
 }
@@ -126,6 +123,15 @@ std::vector<WantedView> views_about(const Illustration& illustration) {
 }
 
 }  // namespace
+
+Mat3 axes_of(const Camera& camera) {
+  return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
+}
+
+Mat3 axes_of(const ViewOptions& view) {
+  const ViewOptions sides{.direction = view.direction, .up = view.up};
+  return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
+}
 
 std::vector<WantedView> wanted_views(const Illustration& illustration) {
   std::vector<WantedView> views;

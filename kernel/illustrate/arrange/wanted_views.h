@@ -25,6 +25,10 @@ struct WantedView {
   Margin room = Margin(0);
 };
 
+/// Right, up and to the viewer, as rows: of a camera, and of a view, whatever it shows.
+Mat3 axes_of(const Camera& camera);
+Mat3 axes_of(const ViewOptions& view);
+
 /// Those that are named, and one for each section that has its own. Without names the view that is
 /// asked for, after those that see sections from their edges where it does not itself; none where
 /// no section has a view of its own.

@@ -73,11 +73,11 @@ void lay_tables(Drawing& drawing, const Annotations& annotations, const CalloutO
 
 /// Lays callouts (layer "callouts"), the title block (layer "title_block"), the parts list (layer
 /// "parts_list") and the legend (layer "legend", its squares last of all areas) over a drawing that
-/// stands in its sheet. `seen`: what
-/// is seen of each part, by even-odd, also through others; its parts and rings alone count. The
-/// leader of an item begins in the largest disc that is seen of one of its parts, with a dot, or on
-/// the longest line of one with an arrow where that disc has a radius of 0.8 mm or less. Tells in
-/// the diagnostics of items that are not seen ("callouts.not_shown"), of numbers that have no room
+/// stands in its sheet. `seen`: what is seen of each part, by even-odd, also through others; its
+/// parts and rings alone count. The leader of an item begins in the largest disc that is seen of
+/// one of its parts, with a dot, or on the longest line of one with an arrow where that disc has a
+/// radius of 0.8 mm or less. Tells in the diagnostics of items that are not seen
+/// ("callouts.not_shown"), of numbers that have no room
 /// ("callouts.crowded"), of a list or a legend that has none ("parts_list.no_room",
 /// "legend.no_room"; "title_block.no_room", ".narrow", ".cut") and of characters that the font has
 /// not ("text.no_glyph"). Throws Cancelled. Cost: that of `largest_disc` for each part, and 5 ms

@@ -30,10 +30,10 @@ struct SectionName {
   std::string letter;
 };
 
-/// Paper mm that the line of a cut goes beyond what a view shows, and that arrow and letter need
-/// from there on, along the line and across it.
+/// Paper mm that the line of a cut goes beyond what a view shows, and that a letter needs from
+/// there on.
 struct SectionReach {
-  double beyond = 0, along = 0, across = 0;
+  double beyond = 0, along = 0;
 };
 SectionReach section_reach(const CalloutOptions& style);
 
