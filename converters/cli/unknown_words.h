@@ -12,8 +12,8 @@ namespace burin::cli {
 /// Throws UsageError.
 void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv);
 
-/// What a switch is told that is given a value, "--legend top-left": the style key of its name that
-/// takes the word, as "write --legend --set callout.legend=top-left"; empty: no key does.
+/// What to write where a switch has a value, as in "--legend top-left": the style key of its name
+/// that takes the word, "write --legend --set callout.legend=top-left"; empty: no key does.
 std::string key_instead(const std::string& option, const std::string& word);
 
 /// A word after an option that is no file, and a value of what the option is about: "--legend

@@ -64,7 +64,7 @@ void set_title_block(Draft& draft, const Asked& asked) {
 }
 
 void set_title_block_fields(Draft& draft, const Asked& asked) {
-  if (!draft.plan.title_block) return;  // told by `unused_choices`
+  if (!draft.plan.title_block) return;  // `unused_choices` reports it
   for (const std::string& text : asked.texts) {
     set_field(*draft.plan.title_block, asked.spelled, text);
   }

@@ -48,8 +48,8 @@ std::vector<PartStyle> with_other_parts(const DrawPlan& plan) {
   return parts;
 }
 
-/// A style file is for many drawings: it is not told what this one's view, legend and glass leave
-/// without effect. Keys that lack the same are told together.
+/// A style file is for many drawings: no message names what has no effect only because of this
+/// one's view, legend or glass. Keys that lack the same share a message.
 void add_written(const DrawPlan& plan, Diagnostics& notes) {
   const std::vector<PartStyle> parts = with_other_parts(plan);
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lacking;
