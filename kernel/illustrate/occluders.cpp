@@ -24,6 +24,15 @@ std::vector<const ProxyMesh*> solid_ones(std::vector<const ProxyMesh*> proxies,
 
 }  // namespace
 
+std::vector<double> sizes_of(const Surfaces& surfaces) {
+  std::vector<double> sizes(surfaces.size(), 0);
+  for (std::size_t i = 0; surfaces.size() > 1 && i < surfaces.size(); ++i) {
+    const TriMesh& mesh = surfaces[i]->proxy().mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) sizes[i] += mesh.area(t);
+  }
+  return sizes;
+}
+
 Occluders::Occluders(Surfaces surfaces, std::vector<bool> transparent, std::vector<double> ranks,
                      const RunContext& context)
     : surfaces_(std::move(surfaces)),

@@ -15,6 +15,9 @@ namespace burin::detail {
 /// One a part.
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
+/// Model mm^2 of the triangles of each, 0 of one alone. Cost: a pass over them.
+std::vector<double> sizes_of(const Surfaces& surfaces);
+
 /// The tree of rays of the solid parts, and what it takes for those of the transparent ones.
 class Occluders {
  public:

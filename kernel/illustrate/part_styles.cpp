@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <compare>
+#include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -51,6 +53,21 @@ std::array<double, 2> ink_of_lines(const Style& style, const Style& whole) {
   const double ink = contrast(line_ink(style, whole), paper);
   return {style.feature.intersections ? style.line.intersection * ink : 0,
           style.line.contour * ink};
+}
+
+// From 0 to below 1, the smaller the size the more; sizes next to each other are one.
+std::vector<double> small_first(std::span<const double> sizes) {
+  constexpr double kSame = 1.01;  // more than triangles of one part differ from view to view
+  std::vector<std::size_t> sorted(sizes.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::ranges::sort(sorted, std::ranges::greater{}, [&](std::size_t i) { return sizes[i]; });
+  std::vector<double> out(sizes.size());
+  double place = 0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    if (k > 0 && sizes[sorted[k - 1]] > kSame * sizes[sorted[k]]) ++place;
+    out[sorted[k]] = place / static_cast<double>(sizes.size());
+  }
+  return out;
 }
 
 }  // namespace
@@ -112,8 +129,7 @@ bool PartStyles::any_transparent() const {
                      [](const One& one) { return one.transparent && one.drawn; });
 }
 
-std::vector<double> PartStyles::meeting_ranks() const {
-  if (styles_.size() < 2 && !any_transparent()) return {};
+std::vector<double> PartStyles::meeting_ranks(std::span<const double> sizes) const {
   struct Shown {
     std::array<double, 2> ink;
     bool own;
@@ -124,11 +140,15 @@ std::vector<double> PartStyles::meeting_ranks() const {
     shown.push_back({ink_of_lines(*style, *styles_.front()), style != styles_.front()});
   }
   std::vector<double> ranks;
-  for (const One& one : parts_) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const One& one = parts_[i];
     const auto below =
         std::ranges::count_if(shown, [&](const Shown& s) { return s < shown[one.style]; });
     ranks.push_back(2 * static_cast<double>(below) + (one.transparent ? 0 : 1));
   }
+  const std::vector<double> smaller = small_first(sizes);
+  for (std::size_t i = 0; i < smaller.size(); ++i) ranks[i] += smaller[i];
+  if (std::ranges::adjacent_find(ranks, std::ranges::not_equal_to{}) == ranks.end()) return {};
   return ranks;
 }
 

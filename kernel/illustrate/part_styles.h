@@ -5,6 +5,7 @@
 #include <burin/illustrate/illustrate.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace burin::detail {
@@ -41,8 +42,9 @@ class PartStyles {
   /// One a part: the order in which parts stand out where they meet or lie on each other, the
   /// highest before the others. The more their lines show the higher, first those in which they
   /// meet; of equal ones a look of its own before that of the drawing, then solid before
-  /// transparent. Empty where all are alike.
-  std::vector<double> meeting_ranks() const;
+  /// transparent, then small before large, so that what is let in flush is seen. Empty where all
+  /// are alike. `sizes`: model mm^2, one a part.
+  std::vector<double> meeting_ranks(std::span<const double> sizes) const;
 
   /// Styles that differ, in the order of the parts that bring them; the first is the drawing's.
   const std::vector<const Style*>& styles() const { return styles_; }

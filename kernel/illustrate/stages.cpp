@@ -128,10 +128,10 @@ std::vector<bool> transparent_ones(const PartStyles& part_styles) {
 
 VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
                              const PartStyles& part_styles, const IllustrateOptions& options,
-                             std::span<const Area> areas) {
+                             std::span<const double> ranks, std::span<const Area> areas) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
                        .outline = style.halo.gap <= 0 && draws_outline(part_styles),
-                       .ranks = part_styles.meeting_ranks()};
+                       .ranks = {ranks.begin(), ranks.end()}};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     verify.parts.push_back(!part_styles.drawn(i)        ? PartOpacity::Absent
                            : part_styles.transparent(i) ? PartOpacity::Transparent
@@ -269,12 +269,12 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
 
 Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                            const PartStyles& part_styles, const IllustrateOptions& options,
-                           std::vector<Path>* found, Labels& labels, bool keeps,
-                           RunContext& context) {
+                           Judged* judged, Labels& labels, bool keeps, RunContext& context) {
   Diagnostics said;
   const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
   context.begin_stage(RunStage::Build);
-  const Solid solid{surfaces, transparent_ones(part_styles), part_styles.meeting_ranks()};
+  const Solid solid{surfaces, transparent_ones(part_styles),
+                    part_styles.meeting_ranks(sizes_of(surfaces))};
   const std::shared_ptr<const Occluders> trees = occluders_.get(solid, [&] {
     return std::make_shared<Occluders>(solid.surfaces, solid.transparent, solid.ranks, context);
   });
@@ -324,7 +324,8 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   const LinesToDraw to_draw{features->sight.features(), features->sight.feature_spans(),
                             all.strokes(), *spans, centres};
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
-          found);
+          judged ? &judged->found : nullptr);
+  if (judged) judged->ranks = trees->ranks();
   if (options.field) name_own_field(drawing);
   labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
                      style, part_styles, options, context);
@@ -354,16 +355,16 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
   const PartStyles part_styles(scene, style, options);
   for (const Style* one : part_styles.styles()) check_style(*one);
-  std::vector<Path> found;
+  Judged judged;
   Labels labels;
   Drawing drawing = draw_lines(scene, camera, style, part_styles, options,
-                               options.verify ? &found : nullptr, labels, keeps, context);
+                               options.verify ? &judged : nullptr, labels, keeps, context);
   if (!keeps) *this = {};
   if (options.verify) {
-    drawing.stats.verify =
-        verify(drawing, found, scene, camera,
-               verify_options(scene, camera, style, part_styles, options, labels.areas),
-               drawing.diagnostics, context);
+    drawing.stats.verify = verify(
+        drawing, judged.found, scene, camera,
+        verify_options(scene, camera, style, part_styles, options, judged.ranks, labels.areas),
+        drawing.diagnostics, context);
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   if (options.annotations && labels.whole.empty()) labels.whole = labels.areas;

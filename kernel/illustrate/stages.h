@@ -97,11 +97,18 @@ class Stages {
     bool operator==(const Lit&) const = default;
   };
 
-  /// `found`, if any, gets its lines as compose gives them; `labels` which parts are seen where,
-  /// where the drawing is to have annotations.
+  /// What a referee asks: the lines as compose gives them, and which part is seen where several lie
+  /// on each other.
+  struct Judged {
+    std::vector<Path> found;
+    std::vector<double> ranks;
+  };
+
+  /// Fills `judged`, if any; `labels` with which parts are seen where, where the drawing is to have
+  /// annotations.
   Drawing draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                      const PartStyles& part_styles, const IllustrateOptions& options,
-                     std::vector<Path>* found, Labels& labels, bool keeps, RunContext& context);
+                     Judged* judged, Labels& labels, bool keeps, RunContext& context);
   std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
   /// Which parts are seen where, and the areas that are painted.
   Labels labels_of(const Scene& scene, const Drawing& drawing, const std::shared_ptr<Lines>& lines,

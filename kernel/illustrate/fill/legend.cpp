@@ -136,16 +136,17 @@ bool is_wide(const Area& area, double pen) {
 }
 
 /// The name of an item's row for a part: its own where listed parts of the item have different
-/// colours, so that each row tells which it is of; without the number that readers add, as lists
-/// have it.
+/// colours and names, so that each row tells which it is of; without the number that readers add,
+/// as lists have it.
 std::string_view row_name(const Scene& scene, const Shades& shades, const DrawingItem& item,
                           std::size_t part) {
+  const std::string_view own = name_as_read(scene.parts[part].name);
   const auto differs = [&](std::int32_t other) {
     const auto i = static_cast<std::size_t>(other);
-    return shades.lists(i) && shades.colors(i) != shades.colors(part);
+    return shades.lists(i) && shades.colors(i) != shades.colors(part) &&
+           name_as_read(scene.parts[i].name) != own;
   };
-  return std::ranges::any_of(item.parts, differs) ? name_as_read(scene.parts[part].name)
-                                                  : item.name;
+  return std::ranges::any_of(item.parts, differs) ? own : item.name;
 }
 
 /// Whether any area, or its hatching, is one that a row stands for.

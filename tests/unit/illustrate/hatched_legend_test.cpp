@@ -212,12 +212,13 @@ TEST(Legend, NamesThePartsOfAnItemThatHaveSeveralColours) {
   EXPECT_EQ(names(alike), Strings{"box (2)"});
 }
 
-// Where two parts lie in one place of the picture the first one is seen.
+// Where two equal parts lie in one place the first one is seen, of others the smaller.
 TEST(Legend, HasNoRowOfAPartThatAnotherCovers) {
   Scene scene = two_boxes();
+  scene.parts[1].form = scene.parts[0].form;
+  EXPECT_EQ(legend(scene, builtin_style("flat")).seen, Strings{"#ff0000"});
   scene.parts[1].form = std::make_shared<MeshForm>(test::box({2, 0, 2}, {8, 4, 8}));
-  const Legend found = legend(scene, builtin_style("flat"));
-  EXPECT_EQ(found.seen, Strings{"#ff0000"});
+  EXPECT_EQ(legend(scene, builtin_style("flat")).seen, (Strings{"#ff0000", "#595959"}));
 }
 
 TEST(HatchedLegend, HasNoneOfLinesInTheInkOfTheSheetOrOfGlass) {

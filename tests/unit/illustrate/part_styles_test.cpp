@@ -213,11 +213,11 @@ TEST(PartStyles, LinesInWhichPartsMeetAreThoseOfThePartThatShowsMore) {
   const auto drawn = [&](const PartStyle& wall, const PartStyle& egg) {
     return meeting_lines(draw_styled(scene, {wall, egg}, "outline"));
   };
-  EXPECT_EQ(drawn({}, {}), (MeetingLines{{0, "", usual}}));
+  EXPECT_EQ(drawn({}, {}), (MeetingLines{{1, "", usual}})) << "the smaller of equal ones";
   EXPECT_EQ(drawn(pale, {}), (MeetingLines{{1, "", usual}}));
   EXPECT_EQ(drawn({}, pale), (MeetingLines{{0, "", usual}}));
   EXPECT_EQ(drawn({}, bold), (MeetingLines{{1, "", 0.5}}));
-  EXPECT_EQ(drawn(pale, pale), (MeetingLines{{0, "#a0a0a0", usual}}));
+  EXPECT_EQ(drawn(pale, pale), (MeetingLines{{1, "#a0a0a0", usual}}));
   PartStyle none;
   none.style = builtin_style("outline");
   none.style->feature.intersections = false;
@@ -308,7 +308,7 @@ TEST(PartStyles, OfPartsThatLieOnEachOtherTheOneThatShowsMoreIsSeen) {
     return area_of_part(drawing, "block") > 1;
   };
   EXPECT_TRUE(block_is_seen(true, usual, usual));
-  EXPECT_FALSE(block_is_seen(false, usual, usual)) << "the first of equal ones";
+  EXPECT_TRUE(block_is_seen(false, usual, usual)) << "the smaller of equal ones";
   for (const bool first : {true, false}) {
     EXPECT_TRUE(block_is_seen(first, pale, usual));
     EXPECT_FALSE(block_is_seen(first, usual, pale));

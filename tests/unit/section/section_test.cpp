@@ -442,7 +442,7 @@ TEST(HatchedCuts, EndAtNoWallThatThePlaneCuts) {
   const CutPlane plane{{0, -1, 0}, 0};
   Scene scene;
   // The wall at x = 19.8 crosses lines of the first part just before their ends.
-  for (const auto& [x0, x1] : {std::pair{0.0, 20.0}, {19.8, 30.0}}) {
+  for (const auto& [x0, x1] : {std::pair{0.0, 20.0}, {19.8, 39.8}}) {
     scene.parts.push_back(
         {"", "", cut_form(mesh(test::box({x0, -5, -10}, {x1, 5, 10})), plane, 0, "")});
   }
