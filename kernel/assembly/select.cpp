@@ -49,21 +49,45 @@ Test by_attribute(std::string_view selector) {
       fmt::format("selector '{}': parts have @color=, @index= and @file=, no @{}", selector, name));
 }
 
-/// How many names of a part's path a selector leads down, 0 where it does not lead there.
-std::size_t depth(const NamePatterns& patterns, const Part& part) {
+/// How many names of a part's path a selector leads down, 0 where it does not lead there. The first
+/// `passed` of them are not looked at.
+std::size_t depth(const NamePatterns& patterns, const Part& part, std::size_t passed) {
   std::vector<std::string> names = names_of(part);
-  std::size_t least = patterns.depth(names);
-  if (least > 0 || !part.whole) return least;
+  const auto least = [&] {
+    const std::size_t found = patterns.depth(std::span(names).subspan(passed));
+    return found == 0 ? 0 : passed + found;
+  };
+  std::size_t led = least();
+  if (led > 0 || !part.whole) return led;
   for (const std::string& name : detail::names_of_piece(part.name)) {
     names.back() = name;
-    if ((least = patterns.depth(names)) > 0) break;
+    if ((led = least()) > 0) break;
   }
-  return least;
+  return led;
 }
 
-Test test_by_name(std::string_view selector) {
-  return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
-    return depth(patterns, part) > 0;
+/// Whether all parts are in one assembly, which a name with * or ? means like some of what is in
+/// it: then the name means these. "gear*" are the gears of a gear pump.
+bool passes_top(const Scene& scene, std::string_view selector, const NamePatterns& patterns) {
+  if (selector.find('/') != selector.npos || selector.find_first_of("*?") == selector.npos) {
+    return false;
+  }
+  const auto top = [](const Part& part) {
+    return part.assembly.empty() ? std::string_view() : std::string_view(part.assembly.front());
+  };
+  const auto meant = [&](const Part& part) { return depth(patterns, part, 1) > 0; };
+  return !scene.parts.empty() && !top(scene.parts[0]).empty() &&
+         like(selector, top(scene.parts[0])) &&
+         std::ranges::all_of(scene.parts,
+                             [&](const Part& p) { return top(p) == top(scene.parts[0]); }) &&
+         std::ranges::any_of(scene.parts, meant) && !std::ranges::all_of(scene.parts, meant);
+}
+
+Test test_by_name(const Scene& scene, std::string_view selector) {
+  const NamePatterns patterns(selector);
+  const std::size_t passed = passes_top(scene, selector, patterns) ? 1 : 0;
+  return [patterns, passed](std::size_t, const Part& part) {
+    return depth(patterns, part, passed) > 0;
   };
 }
 
@@ -201,7 +225,8 @@ std::vector<std::string> selectors_of(const Scene& scene) {
 }
 
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
-  const Test test = selector.starts_with('@') ? by_attribute(selector) : test_by_name(selector);
+  const Test test =
+      selector.starts_with('@') ? by_attribute(selector) : test_by_name(scene, selector);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (test(i, scene.parts[i])) found.push_back(i);
@@ -237,10 +262,18 @@ void name_items(Scene& scene, const ItemNumbers& kept, std::span<const std::stri
   }
 }
 
-std::size_t levels_above(const Part& part, std::string_view selector) {
-  if (selector.starts_with('@')) return 0;
-  const std::size_t led = depth(NamePatterns(selector), part);
-  return led == 0 ? 0 : part.assembly.size() + 1 - led;
+std::vector<std::size_t> levels_above(const Scene& scene, std::span<const std::size_t> parts,
+                                      std::string_view selector) {
+  std::vector<std::size_t> levels(parts.size(), 0);
+  if (selector.starts_with('@')) return levels;
+  const NamePatterns patterns(selector);
+  const std::size_t passed = passes_top(scene, selector, patterns) ? 1 : 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = scene.parts[parts[i]];
+    const std::size_t led = depth(patterns, part, passed);
+    if (led > 0) levels[i] = part.assembly.size() + 1 - led;
+  }
+  return levels;
 }
 
 }  // namespace burin

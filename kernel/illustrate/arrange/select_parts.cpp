@@ -19,15 +19,13 @@ class StyledBy {
       : look_(parts, looks), named_(looks), above_(parts) {}
 
   /// Whether a part takes the style of a look: a highlight leaves it to one that names the part
-  /// more closely.
-  bool takes_style(const Part& part, std::size_t index, const Look& look, std::size_t number,
-                   const std::string& selector) {
+  /// more closely. `levels`: `levels_above` of the name.
+  bool takes_style(std::size_t index, const Look& look, std::size_t number, std::size_t levels) {
     std::optional<std::size_t>& above = above_[index];
     if (!look.highlight) {
       above.reset();
       return true;
     }
-    const std::size_t levels = levels_above(part, selector);
     if (above && *above < levels) {
       named_[number] = index;
       return false;
@@ -97,14 +95,16 @@ void select_parts(Scene& scene, Illustration& illustration) {
     const Look& look = illustration.looks[i];
     for (const std::string& selector : look.select) {
       try {
-        for (const std::size_t part : select(scene, selector)) {
+        const std::vector<std::size_t> found = select(scene, selector);
+        const std::vector<std::size_t> levels = levels_above(scene, found, selector);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          const std::size_t part = found[k];
           PartStyle& one = styles[part];
           one.drawn = look.drawn.value_or(one.drawn);
           one.hatched = look.hatched.value_or(one.hatched);
           one.transparent = look.transparent.value_or(one.transparent);
           one.listed = look.listed.value_or(one.listed);
-          if (!look.style || !styled.takes_style(scene.parts[part], part, look, i, selector))
-            continue;
+          if (!look.style || !styled.takes_style(part, look, i, levels[k])) continue;
           one.style = look.style;
           styled.set(part, i);
         }

@@ -129,14 +129,33 @@ TEST(Select, NothingFoundNamesTheNearest) {
 
 TEST(Select, TheHighestNameThatMatchesSaysHowCloselyAPartIsNamed) {
   const Scene s = scene();
-  const Part& bolt = s.parts[1];  // pump/cover/bolt
-  EXPECT_EQ(levels_above(bolt, "bolt"), 0u);
-  EXPECT_EQ(levels_above(bolt, "pump/*/bolt"), 0u);
-  EXPECT_EQ(levels_above(bolt, "@index=1"), 0u);
-  EXPECT_EQ(levels_above(bolt, "c*"), 1u);
-  EXPECT_EQ(levels_above(bolt, "*"), 2u);
-  EXPECT_EQ(levels_above(bolt, "**"), 2u);
-  EXPECT_EQ(levels_above(s.parts[4], "*"), 0u);
+  const Parts ones{1, 4};  // pump/cover/bolt, lid
+  EXPECT_EQ(levels_above(s, ones, "bolt"), (Parts{0, 0}));
+  EXPECT_EQ(levels_above(s, ones, "pump/*/bolt"), (Parts{0, 0}));
+  EXPECT_EQ(levels_above(s, ones, "@index=1"), (Parts{0, 0}));
+  EXPECT_EQ(levels_above(s, ones, "c*"), (Parts{1, 0}));
+  EXPECT_EQ(levels_above(s, ones, "*"), (Parts{2, 0}));
+  EXPECT_EQ(levels_above(s, ones, "**"), (Parts{2, 0}));
+}
+
+TEST(Select, APatternMeansWhatIsInTheOneAssemblyBeforeItself) {
+  Scene s;
+  const auto add = [&](std::string name, std::vector<std::string> assembly) {
+    s.parts.emplace_back();
+    s.parts.back().name = std::move(name);
+    s.parts.back().assembly = std::move(assembly);
+  };
+  add("gear A", {"gear pump", "drive"});
+  add("gear B", {"gear pump"});
+  add("body", {"gear pump"});
+  EXPECT_EQ(select(s, "gear*"), (Parts{0, 1}));
+  EXPECT_EQ(levels_above(s, Parts{0, 1}, "gear*"), (Parts{0, 0})) << "more closely than drive";
+  EXPECT_EQ(select(s, "gear pump"), (Parts{0, 1, 2}));
+  EXPECT_EQ(select(s, "/gear*"), (Parts{0, 1, 2}));
+  EXPECT_EQ(select(s, "gear p*"), (Parts{0, 1, 2}));
+  EXPECT_EQ(select(s, "*"), (Parts{0, 1, 2}));
+  add("gear", {});
+  EXPECT_EQ(select(s, "gear*"), (Parts{0, 1, 2, 3})) << "no assembly holds all";
 }
 
 // A pattern of many stars against a long name is the classic that takes exponential time.

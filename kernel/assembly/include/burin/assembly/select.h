@@ -26,7 +26,9 @@ std::vector<std::string> selectors_of(const Scene& scene);
 /// A selector is a name or names with slashes between them, at any depth of the assembly, from its
 /// top where it begins with a slash; they lead to a part, or to an assembly, whose parts are all
 /// meant. In a name * is any text and ? any letter; ** stands for any number of names. Not from the
-/// top, "bolt" means "bolt #2" too: readers number what the input calls the same.
+/// top, "bolt" means "bolt #2" too: readers number what the input calls the same. A name with * or
+/// ? means what is within the one assembly that holds all, before that assembly: "gear*" are the
+/// gears of a gear pump.
 /// @color=#88c0ff selects by colour, @index=3 by number, from 0, as `burin info` and
 /// drawing files count, @file=lid.stl those of a file.
 ///
@@ -40,9 +42,10 @@ std::vector<std::size_t> select(const Scene& scene, std::string_view selector);
 /// selectors means such a name and selects nothing without it. Throws UsageError as `find_items`.
 void name_items(Scene& scene, const ItemNumbers& kept, std::span<const std::string> selectors);
 
-/// How closely a selector names a part that it selects: 0 for the part itself, by its name, item or
-/// attribute, 1 for the assembly that it is in, 2 for the one above. Where several names of its
-/// path match, the highest counts: "*" means all there is.
-std::size_t levels_above(const Part& part, std::string_view selector);
+/// How closely a selector names each of some parts that it selects: 0 for the part itself, by its
+/// name, item or attribute, 1 for the assembly that it is in, 2 for the one above. Where several
+/// names of its path match, the highest that is meant counts: "*" means all there is.
+std::vector<std::size_t> levels_above(const Scene& scene, std::span<const std::size_t> parts,
+                                      std::string_view selector);
 
 }  // namespace burin
