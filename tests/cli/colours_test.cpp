@@ -153,8 +153,27 @@ TEST_F(Colours, HighlightsHaveTonesOnWhichLinesAreSeen) {
   EXPECT_EQ(err_, "") << "seen from above nothing has a shadow on the ground";
   drawn("--style flat --highlight core=black");
   EXPECT_EQ(err_,
-            "burin: warning: lines can hardly be seen on 1 part, such as 'core': #000000 on "
+            "burin: warning: lines can hardly be seen on 'core': #000000 on "
             "#000000 has a contrast of 1.0; choose another line.color or fill.color\n");
+}
+
+TEST_F(Colours, HighlightsOfWhichNothingIsSeenAreTold) {
+  folder_.write("rack.scad",
+                "module box() cube([40, 30, 20]);\n"
+                "module core() translate([5, 5, 2]) cube([30, 20, 16]);\n"
+                "box(); core();\n");
+  const std::string solid = "--style flat --highlight core=red ";
+  drawn(solid);
+  EXPECT_EQ(err_,
+            "burin: warning: --highlight 'core=red' shows nothing: other parts hide 'core'; draw "
+            "from another --view, leave out (--hide) or ghost (--ghost) what is before it, cut "
+            "(--section) or explode\n");
+  drawn(solid + "--section y=15");
+  EXPECT_EQ(err_, "");
+  drawn(solid + "--hide box");
+  EXPECT_EQ(err_, "");
+  drawn(solid + "--hidden dashed");
+  EXPECT_EQ(err_, "");
 }
 
 /// Two posts of one shape in two colours, and a longer one.

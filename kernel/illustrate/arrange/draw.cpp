@@ -3,6 +3,7 @@
 #include <burin/illustrate/legend.h>
 
 #include "mostly_empty.h"
+#include "unseen_highlights.h"
 
 #include <optional>
 #include <utility>
@@ -73,6 +74,7 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Illustra
   }
   drawing.title = illustration.title;
   detail::report_mostly_empty(illustration, drawing);
+  detail::report_unseen_highlights(scene, illustration, drawing);
   return drawing;
 }
 

@@ -111,9 +111,9 @@ void tell_of_contrast(const Scene& scene, const Fills& fills, const PartStyles& 
   const auto part = static_cast<std::size_t>(first);
   drawing.diagnostics.add(
       Severity::Warning, "fill.low_contrast", static_cast<std::int64_t>(worst.size()),
-      fmt::format("lines can hardly be seen on {} part{}, such as '{}': {} on {} has a contrast of "
-                  "{:.1f}; choose another line.color or fill.color{}",
-                  worst.size(), worst.size() == 1 ? "" : "s", scene.parts[part].name,
+      fmt::format("lines can hardly be seen on {}'{}': {} on {} has a contrast of {:.1f}; choose "
+                  "another line.color or fill.color{}",
+                  worst.size() == 1 ? "" : "parts such as ", scene.parts[part].name,
                   to_text(fills.ink_of(part)), found.second, found.first,
                   part_styles.style(part).fill.steps > 1 ? ", or a larger tone.darkest" : ""));
 }

@@ -115,7 +115,7 @@ TEST(Contrast, OfNamedColoursIsAsTheUserSaysAndTold) {
   const auto told =
       std::ranges::find(dark.diagnostics.entries(), "fill.low_contrast", &Diagnostic::code);
   EXPECT_EQ(told->message,
-            "lines can hardly be seen on 1 part, such as 'ball': #000000 on #202020 has a contrast "
+            "lines can hardly be seen on 'ball': #000000 on #202020 has a contrast "
             "of 1.3; choose another line.color or fill.color");
   style.line.color = "#ffffff";
   EXPECT_EQ(warnings(colored_ball("#ffffff", style)), 0);
