@@ -303,7 +303,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   } catch (const CLI::ConversionError& e) {
     throw UsageError(of_switch(e));
   } catch (const CLI::ParseError& e) {
-    throw UsageError(std::string(e.what()) + " (see burin --help)");
+    const std::vector<CLI::App*> begun = app.get_subcommands();
+    throw UsageError(fmt::format("{} (see burin {}--help)", e.what(),
+                                 begun.empty() ? "" : begun.front()->get_name() + " "));
   }
 
   if (app.get_subcommands().empty()) refuse_command(app);

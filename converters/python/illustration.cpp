@@ -147,6 +147,7 @@ py::dict illustration(const py::object& source) {
   out["sections"] = list_at(members, "section");
   out["explode"] = plan.explode.wanted ? py::object(members["explode"]) : py::none();
   out["views"] = plan.views;
+  out["hidden_views"] = plan.hidden_views;
   out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
   out["details"] = list_at(members, "details");
   py::dict items;

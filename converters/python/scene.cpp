@@ -33,7 +33,7 @@ std::string color_of(const std::string& text) {
   if (color.empty() || rgb_of(color)) return color;
   throw UsageError(
       fmt::format("the color of a part is \"#rrggbb\", one of the names {}, or empty, not '{}'",
-                  fmt::join(color_names(), ", "), text));
+                  said_color_names(), text));
 }
 
 PyPart append(const Owner& owner, Part part, const PartNames& names) {

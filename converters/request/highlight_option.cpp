@@ -95,8 +95,7 @@ void set_highlights(Draft& draft, const Asked& asked) {
     const std::string called = is_selector ? std::string() : text.substr(equals + 1);
     if ((!is_selector && !rgb_of(without_name(called))) || equals == 0) {
       refuse_value(asked.spelled,
-                   fmt::format("NAME or NAME=COLOUR, a colour #rrggbb or {}",
-                               fmt::join(color_names(), ", ")),
+                   fmt::format("NAME or NAME=COLOUR, a colour #rrggbb, {}", said_color_names()),
                    text);
     }
     draft.looks.push_back({.look = {.select = {is_selector ? text : text.substr(0, equals)},

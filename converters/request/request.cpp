@@ -128,6 +128,13 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect without {}", called("title_block_field", plan.spelling),
                      called("title_block", plan.spelling)));
   }
+  if (has("hidden_views") && plan.illustrate.hidden == HiddenLines::None) {
+    note(fmt::format("{} has no effect without {}", called("hidden_views", plan.spelling),
+                     called("hidden", plan.spelling)));
+  } else if (has("hidden_views") && plan.views.empty() && !own_views) {
+    note(fmt::format("{} has no effect without {}", called("hidden_views", plan.spelling),
+                     called("views", plan.spelling)));
+  }
   if (has("projection") && plan.views.empty() && !own_views) {
     note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
                      called("views", plan.spelling)));

@@ -93,26 +93,34 @@ bool is_direction(const std::string& text) {
 
 /// Names of views, parted by commas; by semicolons where directions are among them. One direction
 /// alone is one view.
-void set_views(Draft& draft, const Asked& asked) {
+std::vector<std::string> names_of_views(const Asked& asked) {
   const std::string& text = asked.text();
   const bool commas = text.find(';') == std::string::npos && !is_direction(text);
   const char between = commas ? ',' : ';';
-  std::vector<std::string>& views = draft.plan.views;
-  views.clear();
+  std::vector<std::string> views;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(between, at), text.size());
-    std::string name = lowered(text.substr(at, end - at));
+    std::string name = text.substr(at, end - at);
     name.erase(0, name.find_first_not_of(' '));
     name.erase(name.find_last_not_of(' ') + 1);
-    view_asked(name, asked);  // throws
-    if (std::ranges::find(views, name) != views.end()) {
+    views.push_back(std::move(name));
+    if (std::ranges::count(views, views.back()) > 1) {
       refuse_value(asked.spelled, "each view once", text);
     }
-    views.push_back(std::move(name));
     at = end + 1;
   }
+  return views;
+}
+
+void set_views(Draft& draft, const Asked& asked) {
+  std::vector<std::string> views = names_of_views(asked);
+  for (std::string& name : views) {
+    name = lowered(name);
+    view_asked(name, asked);  // throws
+  }
   constexpr std::size_t kMostViews = 24;
-  if (views.size() > kMostViews) refuse_value(asked.spelled, "24 views at the most", text);
+  if (views.size() > kMostViews) refuse_value(asked.spelled, "24 views at the most", asked.text());
+  draft.plan.views = std::move(views);
 }
 
 void set_details(Draft& draft, const Asked& asked) {
@@ -173,6 +181,15 @@ std::vector<RequestRow<Draft>> view_rows() {
         .also = {"multiview", "multi view", "three views", "view list", "orthographic views",
                  "viewports", "layout"}},
        set_views},
+      {{.option = {.name = "hidden_views",
+                   .meaning = "of several views those in which hidden lines are dashed, by the "
+                              "names in views or the letters of sections (default all)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME,NAME...",
+        .python = "str | Sequence[str]",
+        .also = {"hidden lines in", "dashed views", "hidden per view"}},
+       [](Draft& d, const Asked& a) { d.plan.hidden_views = names_of_views(a); }},
       {{.option = {.name = "projection",
                    .meaning = "where the view from the left goes: first angle, to the right of "
                               "the front view, or third angle, to its left (default first)",

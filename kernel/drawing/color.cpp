@@ -42,7 +42,14 @@ constexpr std::array kNamed{
 std::vector<std::string> color_names() {
   std::vector<std::string> names;
   for (const Named& row : kNamed) names.emplace_back(row.name);
+  for (const std::string_view name : detail::css_color_names()) names.emplace_back(name);
   return names;
+}
+
+std::string said_color_names() {
+  std::string said;
+  for (const Named& row : kNamed) said += fmt::format("{}, ", row.name);
+  return said + "another name of CSS such as steelblue";
 }
 
 std::string without_name(std::string_view text) {

@@ -155,4 +155,10 @@ std::string_view css_color(std::string_view name) {
   return row == kRows.end() || row->name != name ? std::string_view() : row->color;
 }
 
+std::vector<std::string_view> css_color_names() {
+  std::vector<std::string_view> names;
+  for (const Row& row : kRows) names.push_back(row.name);
+  return names;
+}
+
 }  // namespace burin::detail

@@ -15,6 +15,11 @@ Drawing Session::draw(const Scene& scene, const Camera& camera, const Style& sty
   return stages_->draw(scene, camera, style, options, true, context);
 }
 
+std::vector<std::size_t> Session::parts_before(std::span<const std::size_t> shown,
+                                               const Camera& camera) const {
+  return stages_->parts_before(shown, camera);
+}
+
 Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles, const Mat3& axes) {
   Box3 box;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {

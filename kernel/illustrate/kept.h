@@ -24,6 +24,9 @@ class Kept {
     return value_;
   }
 
+  /// What was made last; null where there is nothing.
+  const Value* last() const { return value_.get(); }
+
  private:
   std::optional<Key> key_;
   std::shared_ptr<Value> value_;

@@ -1,6 +1,7 @@
 #include "labels.h"
 
 #include <burin/area/partition.h>
+#include <burin/base/part_ranks.h>
 #include <burin/feature/kind_borders.h>
 #include <burin/illustrate/view_probe.h>
 #include <burin/visibility/sight_ray.h>
@@ -90,25 +91,41 @@ class Looker {
 
  private:
   /// What a part shows first of itself counts, not its other walls. What is solid ends the view.
+  /// Walls in which parts touch are met all, so that none behind another is lost.
   std::optional<ViewHit> pane(const Occluder& all, Vec2 at, std::size_t behind) const {
-    constexpr int kMostWalls = 64;
+    constexpr double kSamePlace = 1e-10;  // of the diagonal, as rays have it
     const ViewRay ray = sight_ray(camera_, at, all);
-    std::vector<std::int32_t> met;
-    double near = 0;
-    for (int i = 0; i < kMostWalls; ++i) {
-      const auto hit =
-          all.first_hit(ray.origin, ray.direction, near, std::numeric_limits<double>::infinity());
-      if (!hit || !wanted_.occluders->transparent(static_cast<std::size_t>(hit->where.part))) {
-        return std::nullopt;
+    const double same = kSamePlace * all.diagonal();
+    const std::vector<double>& ranks = wanted_.occluders->ranks();
+    Hit end{.where = {}, .distance = std::numeric_limits<double>::infinity()};  // what is solid
+    std::vector<Hit> panes;  // the foremost hit of each
+    const auto take = [&](const Hit& hit) {
+      if (!wanted_.occluders->transparent(static_cast<std::size_t>(hit.where.part))) {
+        const bool nearer = hit.distance < end.distance - same;
+        const bool beside = hit.distance < end.distance + same;
+        if (nearer || (beside && precedes(ranks, hit.where.part, end.where.part))) end = hit;
+        return false;
       }
-      near = hit->distance + 4 * all.resolution();
-      if (std::ranges::find(met, hit->where.part) != met.end()) continue;
-      if (met.size() == behind) {
-        return ViewHit{.part = hit->where.part, .point = {hit->where.face, hit->bary}};
+      const auto known =
+          std::ranges::find(panes, hit.where.part, [](const Hit& pane) { return pane.where.part; });
+      if (known == panes.end()) {
+        panes.push_back(hit);
+      } else if (std::pair(hit.distance, hit.where.face) <
+                 std::pair(known->distance, known->where.face)) {
+        *known = hit;
       }
-      met.push_back(hit->where.part);
-    }
-    return std::nullopt;
+      return false;
+    };
+    all.occluded_by(ray.origin, ray.direction, 0, end.distance, take);
+    std::erase_if(panes, [&](const Hit& pane) {
+      const bool first = precedes(ranks, pane.where.part, end.where.part);
+      return pane.distance >= end.distance + (first ? same : -same);
+    });
+    if (panes.size() <= behind) return std::nullopt;
+    std::ranges::sort(panes, {},
+                      [](const Hit& pane) { return std::pair(pane.distance, pane.where.part); });
+    const Hit& pane = panes[behind];
+    return ViewHit{.part = pane.where.part, .point = {pane.where.face, pane.bary}};
   }
 
   std::vector<Area> areas(const ViewProbe& probe) const {

@@ -1,3 +1,4 @@
+#include <burin/base/short_list.h>
 #include <burin/drawing/views.h>
 #include <burin/illustrate/ground.h>
 #include <burin/illustrate/legend.h>
@@ -5,22 +6,32 @@
 
 #include "fill/hatch_areas.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
+
+/// Parts that a message names.
+constexpr std::size_t kNamed = 3;
 
 /// What of the options holds for one view of several.
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
   IllustrateOptions options = all;
   options.magnified = view.magnified;
   options.dimensions = view.dimensions;
-  if (!options.annotations) return options;
+  if (view.none_hidden) options.hidden = HiddenLines::None;
   if (view.within) {
+    const auto& [center, radius] = *view.within;
+    options.shown = {center - radius, center + radius};
     options.annotations.reset();
-    return options;
   }
+  if (!options.annotations) return options;
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
   options.annotations->legend.clear();
@@ -29,22 +40,44 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   return options;
 }
 
-void report_not_shown(const PlacedView& view, Drawing& drawing) {
-  if (drawing.layers.empty()) {
-    drawing.diagnostics.add(Severity::Warning, "detail.empty", 1,
-                            "detail " + view.name + " is empty: no line of the drawing is there");
-    return;
-  }
-  if (view.shows.empty()) return;
+/// Whether a detail of parts shows nothing of them.
+bool shows_none(const PlacedView& view, const Drawing& drawing) {
+  if (view.shows.empty()) return false;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       const auto part = static_cast<std::size_t>(path.source.part);
-      if (path.visible && std::ranges::find(view.shows, part) != view.shows.end()) return;
+      if (path.visible && std::ranges::find(view.shows, part) != view.shows.end()) return false;
     }
   }
-  drawing.diagnostics.add(
-      Severity::Warning, "detail.not_shown", 1,
-      "detail " + view.name + " shows no line of its parts: they are hidden in this view");
+  return true;
+}
+
+void report_empty(const PlacedView& view, Drawing& drawing) {
+  if (drawing.layers.empty()) {
+    drawing.diagnostics.add(Severity::Warning, "detail.empty", 1,
+                            "detail " + view.name + " is empty: no line of the drawing is there");
+  } else if (shows_none(view, drawing)) {
+    drawing.diagnostics.add(
+        Severity::Warning, "detail.not_shown", 1,
+        "detail " + view.name + " shows no line of its parts: they are hidden in this view");
+  }
+}
+
+/// A detail without the parts that stand before those it is there for.
+std::optional<Drawing> draw_opened(const Scene& scene, const PlacedView& view, const Style& style,
+                                   IllustrateOptions options, RunContext& context,
+                                   Session& session) {
+  const std::vector<std::size_t> gone = session.parts_before(view.shows, view.camera);
+  if (gone.empty()) return std::nullopt;
+  options.part_styles.resize(std::max(options.part_styles.size(), scene.parts.size()));
+  for (const std::size_t part : gone) options.part_styles[part].drawn = false;
+  Drawing drawing = session.draw(scene, view.camera, style, options, context);
+  drawing.diagnostics.add(Severity::Info, "detail.opened", static_cast<std::int64_t>(gone.size()),
+                          fmt::format("detail {} leaves out {}, behind which its parts are hidden",
+                                      view.name, short_list(gone, kNamed, [&](std::size_t part) {
+                                        return "'" + scene.parts[part].name + "'";
+                                      })));
+  return drawing;
 }
 
 Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style& style,
@@ -56,7 +89,13 @@ Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style&
   whole.sheet.clip = false;  // the circle cuts it
   Drawing drawing = session.draw(scene, view.camera, whole, options, context);
   clip_to(*view.within, drawing);
-  report_not_shown(view, drawing);
+  if (shows_none(view, drawing)) {
+    if (auto opened = draw_opened(scene, view, whole, options, context, session)) {
+      drawing = std::move(*opened);
+      clip_to(*view.within, drawing);
+    }
+  }
+  report_empty(view, drawing);
   return drawing;
 }
 

@@ -14,6 +14,7 @@
 #include "fill/hatch_areas.h"
 #include "isophote_lines.h"
 #include "on_sheet.h"
+#include "parts_before.h"
 #include "shadow/ground_shadow.h"
 #include "shadow/light_view.h"
 #include "tell.h"
@@ -139,6 +140,7 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
     verify.crease_angles.push_back(part_styles.style(i).feature.crease_angle);
   }
   if (areas.empty()) return verify;
+  verify.shown = options.shown;
   const bool shadows = style.shadow.cast;
   verify.areas = {areas, region_options(scene, part_styles, camera, shadows).tones};
   verify.areas->pen = style.line.crease;
@@ -182,6 +184,12 @@ std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateO
 }
 
 }  // namespace
+
+std::vector<std::size_t> Stages::parts_before(std::span<const std::size_t> shown,
+                                              const Camera& camera) const {
+  const Occluders* last = occluders_.last();
+  return last ? detail::parts_before(shown, *last, camera) : std::vector<std::size_t>();
+}
 
 std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& context) {
   return lines_.get(view, [&] {

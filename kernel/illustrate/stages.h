@@ -24,6 +24,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace burin::detail {
@@ -35,6 +36,9 @@ class Stages {
   /// `keeps`: for another drawing; else surfaces are gone before the test makes finer ones.
   Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
                const IllustrateOptions& options, bool keeps, RunContext& context);
+  /// `Session::parts_before`.
+  std::vector<std::size_t> parts_before(std::span<const std::size_t> shown,
+                                        const Camera& camera) const;
 
  private:
   Drawing draw_all(const Scene& scene, const Camera& camera, const Style& style,

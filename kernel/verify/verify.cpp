@@ -152,8 +152,12 @@ std::string sentence(const Contradiction& c, const Scene& scene) {
 
 std::string sentence(const WrongArea& wrong, const Scene& scene) {
   const auto& [finding, stated, seen, model] = wrong.answer;
-  const std::string whose = stated.part < 0 ? "bare sheet" : "areas " + name_of(scene, stated.part);
   const std::string where = place_of(wrong.at, model);
+  if (stated.part < 0) {  // bare sheet, or too few panes
+    return fmt::format("{:.2f} mm2 lack the area {}, which is seen there, {}", wrong.size,
+                       name_of(scene, seen.part), where);
+  }
+  const std::string whose = "areas " + name_of(scene, stated.part);
   if (finding == AreaFinding::WrongPart) {
     const std::string what = seen.part < 0 ? "nothing" : "something " + name_of(scene, seen.part);
     return fmt::format("{:.2f} mm2 of the {} are wrong, {} is seen there, {}", wrong.size, whose,
@@ -272,7 +276,8 @@ void add_loose_ends(const Drawing& drawing, Verification& verification) {
 }
 
 /// The sheet as far as lines and areas reach, and a mm around them.
-Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<const Area> areas) {
+Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<const Area> areas,
+                const Box2& shown) {
   constexpr double kAround = 1;
   Box2 box;
   for (const Path& path : lines) {
@@ -285,8 +290,9 @@ Box2 used_sheet(const Drawing& drawing, std::span<const Path> lines, std::span<c
     }
   }
   if (box.empty()) return box;
-  return {glm::max(box.min - kAround, Vec2(0)),
-          glm::min(box.max + kAround, Vec2(drawing.paper_width, drawing.paper_height))};
+  box = {glm::max(box.min - kAround, Vec2(0)),
+         glm::min(box.max + kAround, Vec2(drawing.paper_width, drawing.paper_height))};
+  return shown.empty() ? box : Box2{glm::max(box.min, shown.min), glm::min(box.max, shown.max)};
 }
 
 void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
@@ -302,8 +308,8 @@ void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene
   const AreaWitnesses witnesses{referees.solid(), referees.all(),
                                 [&](std::int32_t part) { return referees.of(part); }, &coarse};
   const AreaJudge judge(rule, witnesses, context);
-  const AreaFindings found =
-      wrong_areas(judge, used_sheet(drawing, lines, rule.areas), drawing.seed, context);
+  const AreaFindings found = wrong_areas(
+      judge, used_sheet(drawing, lines, rule.areas, options.shown), drawing.seed, context);
   out.area = found.tested;
   out.wrong_patches = static_cast<std::int64_t>(found.wrong.size());
   for (std::size_t i = 0; i < found.wrong.size(); ++i) {

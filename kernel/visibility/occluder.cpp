@@ -354,4 +354,6 @@ double Occluder::resolution() const { return kUnitResolution * impl_->frame.half
 
 double Occluder::diagonal() const { return impl_->diagonal; }
 
+Vec3 Occluder::center() const { return impl_->frame.center; }
+
 }  // namespace burin

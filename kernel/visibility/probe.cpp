@@ -1,6 +1,7 @@
 #include "probe.h"
 
 #include <burin/mesh/chord_error.h>
+#include <burin/visibility/sight_ray.h>
 
 #include "cutters.h"
 
@@ -359,21 +360,13 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
   return covered_beside(origin, asked.clear);
 }
 
-ViewRay Probe::ray_from_afar(Vec2 paper) const {
-  ViewRay ray = camera_.ray(paper);
-  if (!camera_.perspective()) {
-    ray.origin -= ray.direction * (2 * occluder_.diagonal() + occluder_.resolution());
-  }
-  return ray;
-}
-
 bool Probe::paper_covered(Vec2 paper) const {
-  const ViewRay ray = ray_from_afar(paper);
+  const ViewRay ray = sight_ray(camera_, paper, occluder_);
   return occluder_.occluded(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
 }
 
 std::optional<Probe::Seen> Probe::seen_at(Vec2 paper) const {
-  const ViewRay ray = ray_from_afar(paper);
+  const ViewRay ray = sight_ray(camera_, paper, occluder_);
   const auto hit =
       occluder_.first_hit(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
   if (!hit) return std::nullopt;

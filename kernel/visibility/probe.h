@@ -74,7 +74,6 @@ class Probe {
   const ProxyMesh* proxy(std::int32_t part) const;
 
  private:
-  ViewRay ray_from_afar(Vec2 paper) const;
   double own_error(const Curve3& curve, std::int32_t face, Vec3 p) const;
 
   struct Asked {

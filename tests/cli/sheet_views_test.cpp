@@ -286,7 +286,7 @@ TEST_F(SheetViews, AnIllustrationHasThemAll) {
     "paper": {"size": "A3"}, "parts_list": "sheet",
     "details": [{"select": "ball", "letter": "X"}, "40,0,20,5=5:1", {"select": "core"}]})json");
   ASSERT_EQ(run("draw @/a.burin.json -o @/a.json -o @/a.svg -o @/a.html"), 0) << err_;
-  EXPECT_NE(err_.find("detail B is empty: no line"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("detail B"), std::string::npos) << "the plate before it is left out";
   const Json drawn = drawing();
   const std::vector<View> views = views_of(drawn);
   ASSERT_EQ(views.size(), 6U);
@@ -294,6 +294,7 @@ TEST_F(SheetViews, AnIllustrationHasThemAll) {
   EXPECT_EQ(views[4].name, "A");
   const auto count = points_of(drawn);
   EXPECT_GT(count.at("X"), 0);
+  EXPECT_GT(count.at("B"), 0);
   // Numbers stand about the pictorial view, on the sheet, and once.
   const Json* callouts = layer(drawn, "callouts");
   ASSERT_NE(callouts, nullptr);
@@ -382,6 +383,62 @@ TEST_F(SheetViews, AViewThatIsSmallBesideItsDetailIsTold) {
   ASSERT_EQ(run("draw @/box.off --style outline --paper A4 --detail 40,0,20,8=5:1 -o @/a.json"), 0)
       << err_;
   EXPECT_EQ(err_, "");
+}
+
+/// Two boxes, the inner one wholly in the outer.
+constexpr const char* kNested =
+    "module shell() cube([40, 30, 20]);\n"
+    "module core() translate([10, 10, 5]) cube([20, 10, 10]);\n"
+    "shell(); core();\n";
+
+int paths_of(const Json& drawing, int part, bool visible, Box2 within) {
+  int count = 0;
+  for (const Json& layer : drawing.at("layers")) {
+    for (const Json& path : layer.at("paths")) {
+      if (path.at("part") != part || path.value("visible", true) != visible) continue;
+      count += within.contains(vec2(path.at("points")[0])) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST_F(SheetViews, ThatAreNamedAloneHaveHiddenLines) {
+  folder_.write("nested.scad", kNested);
+  const std::string sheet = "draw @/nested.scad --style outline --hidden dashed -o @/a.json ";
+  const auto hidden_in = [&](const std::string& more) {
+    EXPECT_EQ(run(sheet + more), 0) << err_;
+    std::set<std::string> found;
+    const Json all = drawing();
+    for (const View& view : views_of(all)) {
+      if (paths_of(all, 1, false, view.box) > 0) found.insert(view.name);
+    }
+    return found;
+  };
+  using Names = std::set<std::string>;
+  EXPECT_EQ(hidden_in("--views front,top,iso"), (Names{"front", "top", "iso"}));
+  EXPECT_EQ(hidden_in("--views front,top,iso --hidden-views front,top"), (Names{"front", "top"}));
+  EXPECT_EQ(hidden_in("--views front,top --section-view z --hidden-views top"), Names{"top"});
+  EXPECT_EQ(run(sheet + "--views front,top --hidden-views iso"), 2);
+  EXPECT_EQ(err_,
+            "burin: error: --hidden-views: 'iso' is none of the views of the sheet: front, "
+            "top\n");
+  EXPECT_EQ(run("draw @/nested.scad --views front,top --hidden-views top -o @/a.json"), 0);
+  EXPECT_NE(err_.find("--hidden-views has no effect without option --hidden"), std::string::npos);
+}
+
+TEST_F(SheetViews, ADetailOfAHiddenPartShowsItWithoutWhatIsBeforeIt) {
+  folder_.write("nested.scad", kNested);
+  ASSERT_EQ(run("draw @/nested.scad --style flat --detail core --verify -o @/a.json"), 0) << err_;
+  const Json all = drawing();
+  const std::vector<View> views = views_of(all);
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(paths_of(all, 1, true, views[0].box), 0);
+  EXPECT_GT(paths_of(all, 1, true, views[1].box), 2);
+  EXPECT_EQ(paths_of(all, 0, true, views[1].box), 0) << "it is left out";
+  EXPECT_EQ(all.at("stats").at("verify").at("wrong_patches"), 0) << all.at("stats");
+  bool told = false;
+  for (const Json& one : all.at("diagnostics")) told = told || one.at("code") == "detail.opened";
+  EXPECT_TRUE(told);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <burin/congruence/body.h>
+#include <burin/mesh/spread.h>
 
 #include "near_surface.h"
 
@@ -34,8 +35,6 @@ std::vector<Vec3> samples_of(const TriMesh& mesh) {
   }
   std::vector<Vec3> samples;
   if (!(area > 0)) return samples;
-  // The lattice of the plastic number: even in the triangles, too.
-  constexpr double kFirstStep = 0.7548776662466927, kSecondStep = 0.5698402909980532;
   for (std::size_t i = 0; i < kSamples; ++i) {
     const double at = area * (static_cast<double>(i) + 0.5) / kSamples;
     const auto found = std::ranges::lower_bound(until, at);
@@ -43,11 +42,8 @@ std::vector<Vec3> samples_of(const TriMesh& mesh) {
                                              mesh.triangles.size() - 1);
     const Triangle& t = mesh.triangles[index];
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-    const double step = static_cast<double>(i) + 0.5;
-    double u = step * kFirstStep - std::floor(step * kFirstStep);
-    double v = step * kSecondStep - std::floor(step * kSecondStep);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    samples.push_back(a + u * (b - a) + v * (c - a));
+    const Vec3 bary = spread_bary(i);  // even in the triangles, too
+    samples.push_back(a + bary.y * (b - a) + bary.z * (c - a));
   }
   return samples;
 }

@@ -1,6 +1,7 @@
 #include "contacts.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/spread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,6 @@ struct Sample {
 // beside the corners of large triangles: they tell how far a contact reaches.
 std::vector<Sample> samples_of(const TriMesh& mesh, double area) {
   std::vector<Sample> samples;
-  constexpr double kG = 1.32471795724474602596;  // the plastic number
   double sum = 0;
   std::size_t next = 0;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -45,10 +45,8 @@ std::vector<Sample> samples_of(const TriMesh& mesh, double area) {
       }
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const auto n = static_cast<double>(next + k) + 0.5;  // no two triangles alike
-      double u = std::fmod(n / kG, 1.0), v = std::fmod(n / (kG * kG), 1.0);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      samples.push_back({f, {1 - u - v, u, v}, area / static_cast<double>(kPoints)});
+      // No two triangles alike.
+      samples.push_back({f, spread_bary(next + k), area / static_cast<double>(kPoints)});
     }
     next = std::max(next, until);
   }

@@ -71,6 +71,7 @@ void append_area_fill(Buffer& out, const Area& area) {
     append(out, fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
                             area.fill, kTrap));
   }
+  if (area.part >= 0) append(out, fmt::format(" data-part=\"{}\"", area.part));
   if (area.face >= 0) append(out, fmt::format(" data-face=\"{}\"", area.face));
   if (area.tone >= 0) append(out, fmt::format(" data-tone=\"{}\"", area.tone));
   if (!area.ink.empty()) {

@@ -35,6 +35,19 @@ bool is_reported(const Drawing& drawing) {
   });
 }
 
+/// Whether the shadow on the ground takes most of what is drawn.
+bool has_shadow(const Drawing& drawing) {
+  Box2 parts, shadow;
+  for (const Area& area : drawing.areas) {
+    if (!area.role.empty()) continue;
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (const Vec2& p : ring) (area.part < 0 ? shadow : parts).add(p);
+    }
+  }
+  const auto size = [](const Box2& box) { return std::max(box.size().x, box.size().y); };
+  return size(shadow) > 2 * size(parts);
+}
+
 }  // namespace
 
 void report_mostly_empty(const Illustration& illustration, Drawing& drawing) {
@@ -56,7 +69,10 @@ void report_mostly_empty(const Illustration& illustration, Drawing& drawing) {
       Severity::Warning, "sheet.mostly_empty", 1,
       fmt::format("the drawing takes {:.0f} x {:.0f} mm of a sheet of {:g} x {:g} mm, {:.2g} % of "
                   "it: {}`paper fit` makes the sheet as large as the drawing",
-                  size.x, size.y, sheet.x, sheet.y, 100 * share, fills));
+                  size.x, size.y, sheet.x, sheet.y, 100 * share, fills) +
+          (has_shadow(drawing) ? "; its shadow on the ground takes most: `light` from higher up "
+                                 "makes it short, `set` shadow.ground=false leaves it out"
+                               : ""));
 }
 
 }  // namespace burin::detail

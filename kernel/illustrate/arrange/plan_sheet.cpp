@@ -289,6 +289,7 @@ class SheetPlanner {
       const Box2 drawn{middle - half, middle + half};
       PlacedView placed{views_[i].name, on_middle(view, middle, dimensions[i]), grid.boxes[i]};
       placed.callouts = i == numbered;
+      placed.none_hidden = views_[i].none_hidden;
       placed.dimensions = std::move(dimensions[i]);
       if (const SectionView* section = views_[i].section) {
         placed.scene = section->scene;
@@ -344,6 +345,7 @@ class SheetPlanner {
                             shown,
                             detail.scale / scale,
                             detail.parts});
+    sheet_.views.back().none_hidden = sheet_.views.front().none_hidden;
   }
 
   Scene& scene_;

@@ -1,8 +1,10 @@
 #include "wanted_views.h"
 
+#include <burin/base/error.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +124,21 @@ std::vector<WantedView> views_about(const Illustration& illustration) {
   return views;
 }
 
+/// Leaves hidden lines to those that are named, where any are.
+void choose_hidden(const std::vector<std::string>& names, std::vector<WantedView>& views) {
+  if (names.empty()) return;
+  std::vector<std::string> known;
+  for (WantedView& view : views) {
+    known.push_back(view.section ? view.section->letter : view.name);
+    view.none_hidden = std::ranges::find(names, known.back()) == names.end();
+  }
+  for (const std::string& name : names) {
+    if (views.empty() || std::ranges::find(known, name) != known.end()) continue;
+    throw UsageError(fmt::format("`hidden_views`: '{}' is none of the views of the sheet: {}", name,
+                                 fmt::join(known, ", ")));
+  }
+}
+
 }  // namespace
 
 Mat3 axes_of(const Camera& camera) {
@@ -146,6 +163,7 @@ std::vector<WantedView> wanted_views(const Illustration& illustration) {
     views[*parent].marked = true;
     keep_room_for_mark(section, illustration.style.callout, views[*parent]);
   }
+  choose_hidden(illustration.hidden_views, views);
   return views;
 }
 

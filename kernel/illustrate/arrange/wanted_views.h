@@ -21,6 +21,7 @@ struct WantedView {
   const SectionView* section = nullptr;
   /// Whether it shows where a section cuts.
   bool marked = false;
+  bool none_hidden = false;
   /// Paper mm that marks and names need beside it.
   Margin room = Margin(0);
 };
@@ -31,7 +32,7 @@ Mat3 axes_of(const ViewOptions& view);
 
 /// Those that are named, and one for each section that has its own. Without names the view that is
 /// asked for, after those that see sections from their edges where it does not itself; none where
-/// no section has a view of its own.
+/// no section has a view of its own. Throws UsageError where `hidden_views` names another.
 std::vector<WantedView> wanted_views(const Illustration& illustration);
 
 /// The number of the view that shows where a section cuts, if one does.

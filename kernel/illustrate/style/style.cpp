@@ -6,7 +6,6 @@
 #include "style_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -111,7 +110,7 @@ std::optional<std::string> first_fault(const Style& style) {
   for (const std::string& name : color_names()) known.push_back({name});
   const std::string alpha = hint_of_alpha(color);
   throw UsageError(fmt::format("style key '{}' takes a colour #rrggbb, {}{}, not '{}'{}", key,
-                               fmt::join(color_names(), ", "), others, color,
+                               said_color_names(), others, color,
                                alpha.empty() ? hint(color, known) : alpha));
 }
 

@@ -79,6 +79,64 @@ TEST(Areas, AreThoseOfTheSilhouettes) {
   }
 }
 
+/// Panes one over the other, and a solid block within the lowest.
+Drawing stack(const std::vector<TriMesh>& panes, const TriMesh& block) {
+  Scene scene;
+  IllustrateOptions options{.verify = true};
+  for (const TriMesh& pane : panes) {
+    scene.parts.push_back({"pane", "", std::make_shared<MeshForm>(pane)});
+    scene.parts.back().color = "#4080c0";
+    options.part_styles.push_back({.transparent = true});
+  }
+  scene.parts.push_back({"block", "", std::make_shared<MeshForm>(block)});
+  options.part_styles.emplace_back();
+  RunContext context;
+  const NamedView v = named_view("top");
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = v.direction, .up = v.up, .scale = 2, .paper = {150, 100}});
+  return illustrate(scene, camera, builtin_style("flat"), options, context);
+}
+
+double size_of_part(const Drawing& drawing, std::int32_t part) {
+  double sum = 0;
+  for (const Area& area : drawing.areas) {
+    if (area.part == part) sum += test::signed_area(area);
+  }
+  return sum;
+}
+
+// Where two touch, the ray meets both at one place.
+TEST(Areas, OfPanesThatTouchAreAllThere) {
+  const TriMesh low = test::box({0, 0, 0}, {20, 20, 10}),
+                high = test::box({0, 0, 10}, {20, 20, 15});
+  const TriMesh block = test::box({7, 7, 2}, {12, 12, 7});
+  for (const auto& panes : {std::vector{low, high}, std::vector{high, low}}) {
+    const Drawing drawing = stack(panes, block);
+    EXPECT_EQ(drawing.stats.verify->wrong_patches, 0);
+    EXPECT_NEAR(size_of_part(drawing, 0), 4 * 400, 1e-6);
+    EXPECT_NEAR(size_of_part(drawing, 1), 4 * 400, 1e-6) << "over the block, too";
+    EXPECT_NEAR(size_of_part(drawing, 2), 4 * 25, 1e-6);
+  }
+  // Faces that lie on each other.
+  const Drawing twice = stack({low, test::box({0, 0, 0}, {30, 20, 10})}, block);
+  EXPECT_EQ(twice.stats.verify->wrong_patches, 0);
+  EXPECT_NEAR(size_of_part(twice, 0), 4 * 400, 1e-6);
+  EXPECT_NEAR(size_of_part(twice, 1), 4 * 600, 1e-6);
+}
+
+// The referee of one pane alone has nothing near the middle of the drawing.
+TEST(Areas, OfPanesFarFromEachOtherAreProvenByRays) {
+  for (const double z : {-200.0, 200.0}) {
+    const Drawing drawing =
+        stack({test::box({0, 0, 0}, {10, 10, 2}), test::box({5, 0, z}, {15, 10, z + 2})},
+              test::box({30, 0, 0}, {32, 2, 2}));
+    EXPECT_EQ(drawing.stats.verify->wrong_patches, 0) << z;
+    EXPECT_EQ(drawing.stats.verify->contradicted, 0) << z;
+    EXPECT_NEAR(size_of_part(drawing, 1), 400, 1e-6) << z;
+  }
+}
+
 TEST(Areas, OfGlassLieOverWhatIsSeenThroughIt) {
   const double scale2 = 1.5 * 1.5, ball = std::acos(-1.0) * kRadius * kRadius;
   const Drawing drawing = ball_before_plate("outline", true);

@@ -170,8 +170,8 @@ TEST(Fills, AColourThatIsNoneIsRefused) {
   } catch (const std::exception& e) {
     EXPECT_STREQ(e.what(),
                  "style key 'fill.color' takes a colour #rrggbb, orange, red, blue, green, yellow, "
-                 "purple, cyan, pink, brown, gray, grey, black, white, part or none, not "
-                 "'orangge'; the nearest is 'orange'");
+                 "purple, cyan, pink, brown, gray, grey, black, white, another name of CSS such as "
+                 "steelblue, part or none, not 'orangge'; the nearest is 'orange'");
   }
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "1"));
   EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));

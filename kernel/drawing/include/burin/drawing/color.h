@@ -16,8 +16,11 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// Reads "#rrggbb"; nothing where the text is none.
 std::optional<Rgb> rgb_of(std::string_view text);
 
-/// Names that stand for colours: "orange", "red" and so on.
+/// Names that stand for colours: "orange", "red" and so on, then those that CSS has beside them.
 std::vector<std::string> color_names();
+
+/// What messages say of them: "orange, red ... or another name of CSS, such as steelblue".
+std::string said_color_names();
 
 /// "#rrggbb" for a name of a colour, in letters of any case; any other text as it is.
 std::string without_name(std::string_view text);

@@ -75,6 +75,8 @@ struct IllustrateOptions {
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;
+  /// Paper mm: what is left of the drawing, where its areas alone are tested; empty: all.
+  Box2 shown{};
   /// Items of the parts that are drawn, for `Drawing::items` and `areas`, and what of them is laid
   /// over the drawing.
   std::optional<Annotations> annotations{};

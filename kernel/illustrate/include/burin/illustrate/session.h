@@ -8,7 +8,10 @@
 #include <burin/illustrate/style.h>
 #include <burin/surface/scene.h>
 
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace burin {
 
@@ -33,6 +36,11 @@ class Session {
   /// of what is kept but what it was about to replace.
   Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
                const IllustrateOptions& options, RunContext& context);
+
+  /// The parts, ascending, without which `camera` would see most of some parts of the last drawing,
+  /// as few as will do; none where there was no drawing. Cost: 400 rays.
+  std::vector<std::size_t> parts_before(std::span<const std::size_t> shown,
+                                        const Camera& camera) const;
 
  private:
   std::unique_ptr<detail::Stages> stages_;

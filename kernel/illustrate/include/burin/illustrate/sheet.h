@@ -32,6 +32,8 @@ struct PlacedView {
   /// The parts as this view alone shows them, cut open; null: as all show them.
   std::shared_ptr<const Scene> scene = {};
   std::vector<Dimension> dimensions = {};
+  /// Whether hidden lines are left out, whatever the drawing says.
+  bool none_hidden = false;
 };
 
 struct SheetOfViews {

@@ -34,6 +34,8 @@ struct VerifyOptions {
   std::vector<double> ranks{};
   /// Areas are tested where they are given; `AreaRule::glass` follows from `parts`.
   std::optional<AreaRule> areas{};
+  /// Paper mm: where they are tested; empty: all over the sheet.
+  Box2 shown{};
 };
 
 /// Tests `lines` (all that `drawing` draws, with points3 as dense as they were found, and what it

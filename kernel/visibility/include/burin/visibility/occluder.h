@@ -70,6 +70,8 @@ class Occluder {
   double resolution() const;
   /// Diagonal of the scene's bounds in model mm.
   double diagonal() const;
+  /// Of these bounds, model mm.
+  Vec3 center() const;
 
  private:
   struct Impl;

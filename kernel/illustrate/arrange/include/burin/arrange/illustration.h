@@ -106,6 +106,8 @@ struct Illustration {
   bool finds_view = false;
   /// Names of several views of one sheet ("front", or a direction "1,-1,1"); empty: `view`.
   std::vector<std::string> views = {};
+  /// Of several views those with hidden lines, by name or the letter of their section; empty: all.
+  std::vector<std::string> hidden_views = {};
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};
