@@ -26,6 +26,7 @@ class ObjectReader {
   void take(const Node& property) {
     const std::string_view name = property.attribute("name").value();
     const Node value = first_element(property);
+    if (o_.hole) o_.hole->take(name, value);
     if (name == "Label") {
       // A label of blanks says nothing.
       if (std::string label = clean_name(text_of(value)); !label.empty()) o_.label = label;
@@ -48,6 +49,8 @@ class ObjectReader {
       o_.proxy_class = value.attribute("class").value();
     } else if (name == "Source" && o_.is("Part::Mirroring")) {
       o_.copy_of = link_name(value);
+    } else if (name == "Geometry" && o_.type.starts_with("Sketcher::")) {
+      o_.circles = circle_centers(value);
     } else if (name == "Objects") {
       copied_ = names(value);
     } else {
@@ -222,6 +225,7 @@ void FcDocument::read_objects() {
     object.name = node.attribute("name").value();
     object.type = node.attribute("type").value();
     object.label = clean_name(object.name);
+    if (object.is("PartDesign::Hole")) object.hole.emplace();
     if (objects_.size() >= kMostObjects) source_.fail("holds absurdly many objects; it is damaged");
     const auto number = static_cast<std::int32_t>(objects_.size());
     if (index_.emplace(object.name, number).second) objects_.push_back(std::move(object));

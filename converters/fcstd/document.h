@@ -6,6 +6,7 @@
 
 #include "package.h"
 #include "source.h"
+#include "threads.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -62,6 +63,10 @@ struct FcObject {
   bool has_group = false;
   std::vector<std::string> group;
   std::string tip;
+  /// Of a PartDesign::Hole.
+  std::optional<FcHole> hole;
+  /// Of a sketch: the centres of its circles, in its own plane.
+  std::vector<Vec3> circles;
 
   std::optional<FcLink> link;
   bool link_transform = false;

@@ -7,11 +7,13 @@
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/mesh/placed_mesh.h>
+#include <burin/surface/thread.h>
 
 #include "bms.h"
 #include "numbered_names.h"
 #include "recompute.h"
 #include "text.h"
+#include "threads.h"
 #include "walk.h"
 #include "xml.h"
 
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -158,6 +161,23 @@ class Maker {
       push(use, paint, std::move(info));
     }
     push(use, paint, shape.brep->form(place));
+    add_threads(use, place);
+  }
+
+  /// Those of the holes of a body.
+  void add_threads(const FcUse& use, const Placement& place) {
+    if (measures_ || !use.object->is_body()) return;
+    std::vector<std::string> unknown;
+    for (const Thread& thread : detail::threads_of(*use.document, *use.object, unknown)) {
+      made_.parts.back().threads.push_back(placed(thread, place));
+    }
+    for (const std::string& hole : unknown) {
+      if (!unknown_threads_.insert(hole).second) continue;
+      made_.diagnostics.add(Severity::Warning, "fcstd.thread_size", 1,
+                            fmt::format("{}: the size of its thread is none that is known; the "
+                                        "thread is not drawn (`thread` draws it)",
+                                        hole));
+    }
   }
 
   /// A list of another length is of another shape.
@@ -313,6 +333,7 @@ class Maker {
   /// What each part is made of.
   std::vector<const FcUse*> pushed_;
   detail::LeftOut left_out_;
+  std::set<std::string> unknown_threads_;
   bool some_faceless_ = false;
   std::string first_failure_;
 };

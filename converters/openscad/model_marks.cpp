@@ -58,6 +58,7 @@ class Gatherer {
     if (call.mark.what == "ink") return ink(call, names);
     if (call.mark.what == "explode") return explode(call, names);
     if (call.mark.what == "callout") return callout(call, names);
+    if (call.mark.what == "thread") return thread(call, names);
     report(fmt::format("burin.scad asks for {}, which this Burin does not know",
                        in_quotes(call.mark.what)));
   }
@@ -102,6 +103,21 @@ class Gatherer {
       return report("callout() takes a whole number or nothing, as in callout(3) lid();");
     }
     marks_.items.emplace_back(number.get<double>(), names.front());
+  }
+
+  void thread(const PartCall& call, const std::vector<std::string>& names) {
+    const Json& arguments = call.mark.arguments;
+    const Json size = arguments.empty() ? Json() : arguments[0];
+    const Json length = arguments.size() > 1 ? arguments[1] : Json();
+    const bool long_enough = length.is_null() || (length.is_number() && length > 0);
+    if (!size.is_string() || !long_enough) {
+      return report(
+          "thread() takes a size and, in mm, a length, as in thread(\"M6\", length = 18) screw();");
+    }
+    for (const std::string& name : names) {
+      marks_.threads.push_back({.part = name, .size = size.get<std::string>()});
+      if (length.is_number()) marks_.threads.back().length = length.get<double>();
+    }
   }
 
   void view(const Mark& mark) {

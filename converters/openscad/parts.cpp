@@ -36,6 +36,8 @@ struct State {
   std::uint32_t of = 0;
   /// Numbers of calls of burin.scad that hold for what is below, outermost first.
   std::vector<std::size_t> calls = {};
+  /// Likewise of thread(), which makes no part of its own.
+  std::vector<std::size_t> threads = {};
   bool background = false, highlight = false;
   /// Whether `of` is one thing, whatever it looks like.
   bool of_one = false;
@@ -280,7 +282,8 @@ class Divider {
       out_.views.push_back(mark);
       return;
     }
-    state.calls.push_back(out_.calls.size());
+    // A thread is on what it holds, which stays a piece of its part.
+    (mark.what == "thread" ? state.threads : state.calls).push_back(out_.calls.size());
     out_.calls.push_back({mark, state.frame * state.at, {}});
   }
 
@@ -305,6 +308,10 @@ class Divider {
       for (const std::size_t c : s.calls) out_.calls[c].parts.push_back(out_.parts.size() - 1);
     }
     out_.parts[entry->second].pieces.push_back({node, s.at});
+    for (const std::size_t c : s.threads) {
+      std::vector<std::size_t>& parts = out_.calls[c].parts;
+      if (std::ranges::find(parts, entry->second) == parts.end()) parts.push_back(entry->second);
+    }
   }
 
   /// A bolt that is highlighted is a bolt; one that only stands there as what is around is none.

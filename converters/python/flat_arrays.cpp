@@ -12,12 +12,12 @@
 namespace burin::python {
 namespace {
 
-constexpr std::array kKinds{LineClass::Contour,    LineClass::Boundary, LineClass::Crease,
-                            LineClass::Smooth,     LineClass::Seam,     LineClass::Intersection,
-                            LineClass::Section,    LineClass::Ridge,    LineClass::Valley,
-                            LineClass::Suggestive, LineClass::Isophote, LineClass::Stroke,
-                            LineClass::Pattern,    LineClass::Trail,    LineClass::Centre,
-                            LineClass::Leader,     LineClass::Frame};
+constexpr std::array kKinds{
+    LineClass::Contour,   LineClass::Boundary,     LineClass::Crease,   LineClass::Smooth,
+    LineClass::Seam,      LineClass::Intersection, LineClass::Section,  LineClass::Ridge,
+    LineClass::Valley,    LineClass::Suggestive,   LineClass::Isophote, LineClass::Stroke,
+    LineClass::Pattern,   LineClass::Trail,        LineClass::Centre,   LineClass::Thread,
+    LineClass::ThreadEnd, LineClass::Leader,       LineClass::Frame};
 
 /// A number a path.
 struct Columns {

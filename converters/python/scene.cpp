@@ -13,6 +13,7 @@
 #include "run.h"
 #include "style_text.h"
 #include "text.h"
+#include "threads.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -137,6 +138,12 @@ void add_part(py::module_& module) {
            "Whether it is one thing with the part before it and differs by its look alone, such as "
            "what a module of OpenSCAD makes in a second colour: parts lists count them once, and "
            "exploded views do not take them apart.");
+  part.def_property(
+      "threads", [](const PyPart& p) { return list_of(p.part().threads); },
+      [](const PyPart& p, const py::sequence& value) { p.part().threads = threads_of(value); },
+      "Threads that its form does not have, a mapping each: \"size\" (\"M6\", \"1/4 UNC\"), "
+      "\"at\" (where it begins on its axis), \"along\" (which way it goes), \"length\" in mm, "
+      "\"internal\" (default True: in a hole). They are drawn on the cylinder about this axis.");
   look(part, "drawn", &PartStyle::drawn, "False: as if the part were not there.");
   look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
   look(part, "transparent", &PartStyle::transparent,

@@ -1,9 +1,11 @@
 #include "illustration/keyed.h"
 #include "make_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -32,6 +34,20 @@ void add_marked_looks(const ModelMarks& marks, std::vector<LookRequest>& looks) 
       asked.style = in.style_named(*mark.style, "/style");
     }
   }
+}
+
+/// As an illustration file has them. Throws UsageError that names the model.
+std::vector<ThreadRow> threads_of(const ModelMarks& marks) {
+  std::vector<ThreadRow> out;
+  for (const ModelMarks::Thread& mark : marks.threads) {
+    ThreadRow row{.select = {mark.part},
+                  .size = mark.size,
+                  .length = mark.length,
+                  .place = marks.source + ": "};
+    check_thread_row(row);
+    out.push_back(std::move(row));
+  }
+  return out;
 }
 
 /// Throws UsageError that names the model where the view cannot be what the mark says.
@@ -100,10 +116,12 @@ void set_view(const DrawRequest& asked, const DrawRequest& all, DrawPlan& plan) 
 
 DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request) {
   std::vector<LookRequest> looks;
+  std::vector<ThreadRow> threads;
   const bool numbered = !request.items.empty(), seen = request.has("view");
   const bool turned = request.has("up"), chosen = request.has("callouts");
   for (const ModelMarks& one : marks) {
     add_marked_looks(one, looks);
+    std::ranges::move(threads_of(one), std::back_inserter(threads));
     check_view(one);
     // Of what only one model may ask, the last one counts.
     if (one.callouts && !chosen) request.options["callouts"] = {"true"};
@@ -116,6 +134,7 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
     }
   }
   request.looks.insert(request.looks.begin(), looks.begin(), looks.end());
+  request.threads.insert(request.threads.begin(), threads.begin(), threads.end());
   return request;
 }
 
@@ -128,6 +147,9 @@ void detail::follow_marks(const std::vector<ModelMarks>& marks, const DrawReques
   }
   plan.looks.insert(plan.looks.begin(), std::make_move_iterator(looks.begin()),
                     std::make_move_iterator(looks.end()));
+  const auto marked = all.threads.size() - request.threads.size();
+  plan.thread_rows.insert(plan.thread_rows.begin(), all.threads.begin(),
+                          all.threads.begin() + static_cast<std::ptrdiff_t>(marked));
   // The way that parts come apart is the model's; whether they do is not.
   Explode explode;
   for (const ModelMarks& one : marks) add_steps(one, explode);

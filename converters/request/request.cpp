@@ -139,6 +139,15 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
     note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
                      called("views", plan.spelling)));
   }
+  const auto shows = [](const std::optional<Style>& style) {
+    return style && style->feature.threads;
+  };
+  const bool threads =
+      plan.style.feature.threads || std::ranges::any_of(plan.looks, shows, &Look::style);
+  if (has("thread") && !threads) {
+    note(fmt::format("{} has no effect: style key feature.threads is false",
+                     called("thread", plan.spelling)));
+  }
   if (has("explode_factor") && !plan.explode.wanted) {
     note(called("explode_factor", plan.spelling) + " has no effect: nothing comes apart");
   }
@@ -186,6 +195,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.sections = request.sections;
   plan.explode = request.explode;
   plan.details = request.details;
+  plan.thread_rows = request.threads;
   plan.illustrate.part_styles = part_styles;
   plan.spelling = spelling;
   draft.looks = request.looks;

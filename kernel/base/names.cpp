@@ -36,6 +36,10 @@ const char* to_string(LineClass kind) {
       return "trail";
     case LineClass::Centre:
       return "centre";
+    case LineClass::Thread:
+      return "thread";
+    case LineClass::ThreadEnd:
+      return "thread-end";
     case LineClass::Leader:
       return "leader";
     case LineClass::Frame:

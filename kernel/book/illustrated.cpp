@@ -27,6 +27,7 @@ Book make_book(Scene& scene, Illustration& illustration, const BuildOptions& bui
   illustration.items = true;
   select_parts(scene, illustration);
   number_parts(scene, illustration, context);
+  find_threads(scene, illustration, context);
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps =

@@ -35,6 +35,8 @@ const std::vector<OptionRow<FeatureOptions>>& feature_option_rows() {
            "draw the lines on which parts of exploded views have come"),
       flag("centre_lines", &FeatureOptions::centre_lines,
            "draw the axes of round faces, and marks where they are seen along their axis"),
+      flag("threads", &FeatureOptions::threads,
+           "draw the threads that parts are known to have, as ISO 6410 has them"),
       options::number("crease_angle", &FeatureOptions::crease_angle, {0, 180, "degrees"},
                       "degrees between neighbouring triangles from which an edge is sharp"),
   };

@@ -97,6 +97,7 @@ Curve3 piece(const Curve3& curve, const Span& span) {
 const char* feature_layer(LineClass kind, const Span& span, bool in_full) {
   if (!span.visible) return in_full ? "behind" : "hidden";
   if (span.outer) return "outline";
+  if (kind == LineClass::ThreadEnd) return kThreadLayer.data();
   return to_string(kind);
 }
 
@@ -179,7 +180,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                       const RunContext& context) {
   std::vector<Layer> layers;
   for (const char* name :
-       {"hidden", "behind", "centre", "trail", "pattern", "isophote", "seam", "smooth",
+       {"hidden", "behind", "centre", "trail", "pattern", "thread", "isophote", "seam", "smooth",
         "intersection", "crease", "section", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
@@ -269,6 +270,10 @@ double Composition::feature_width(const Curve3& feature, const Span& span) const
       return line.trail;
     case LineClass::Centre:
       return line.centre;
+    case LineClass::Thread:
+      return line.thread;
+    case LineClass::ThreadEnd:
+      return line.contour;
     default:
       return line.crease;
   }
@@ -296,6 +301,9 @@ bool Composition::draws(const Curve3& feature) const {
       return drawn.trails;
     case LineClass::Centre:
       return drawn.centre_lines;
+    case LineClass::Thread:
+    case LineClass::ThreadEnd:
+      return drawn.threads;
     default:
       return drawn.creases;
   }

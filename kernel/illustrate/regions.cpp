@@ -32,7 +32,8 @@ constexpr double kLookStep = 1;
 constexpr double kSameDepth = 0.3;
 
 bool parts_regions(LineClass kind) {
-  return kind != LineClass::Pattern && kind != LineClass::Trail && kind != LineClass::Isophote;
+  return kind != LineClass::Pattern && kind != LineClass::Trail && kind != LineClass::Isophote &&
+         kind != LineClass::Thread && kind != LineClass::ThreadEnd;
 }
 
 /// Lines of the sheet, as `partition` takes them.

@@ -50,6 +50,20 @@ std::vector<Curve3> centre_lines_of(const Occluders& occluders, const Camera& ca
   return centre_lines(occluders.surfaces(), camera, occluders.solid(), options, said, context);
 }
 
+// The threads of parts that show them; nothing where none does.
+std::vector<DrawnThreads> drawn_threads(const Scene& scene, const PartStyles& part_styles) {
+  std::vector<DrawnThreads> out(scene.parts.size());
+  bool any = false;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Style& style = part_styles.style(i);
+    if (!part_styles.drawn(i) || !style.feature.threads) continue;
+    out[i] = {scene.parts[i].threads, style.line.thread_gap};
+    any = any || !out[i].threads.empty();
+  }
+  if (!any) out.clear();
+  return out;
+}
+
 FeatureOptions feature_options(const PartStyles& part_styles) {
   FeatureOptions options{.intersections = false, .smooth = false};
   for (const Style* style : part_styles.styles()) {
@@ -205,6 +219,8 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     std::ranges::move(
         isophote_lines(*view.occluders, view.camera, view.isophotes, view.pen, context),
         std::back_inserter(features));
+    std::ranges::move(thread_lines(view.threads, proxies, view.camera, said, context),
+                      std::back_inserter(features));
     features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
@@ -310,6 +326,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
             feature_options(part_styles),
             draws_outline(part_styles),
             options.trails,
+            drawn_threads(scene, part_styles),
             options.magnified,
             drawn_isophotes(part_styles, camera)};
   if (!view.isophotes.empty()) view.pen = style.line.crease;

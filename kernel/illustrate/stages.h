@@ -11,6 +11,7 @@
 #include <burin/feature/options.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/surface/scene.h>
+#include <burin/threads/thread_lines.h>
 
 #include "hatch_parts.h"
 #include "kept.h"
@@ -57,6 +58,8 @@ class Stages {
     FeatureOptions features;
     bool closes_outline = false;
     std::vector<Curve3> trails;
+    /// One a part; empty where no part has some.
+    std::vector<DrawnThreads> threads;
     double magnified = 1;
     std::vector<Isophotes> isophotes;
     /// Paper mm, for isophotes; else 0.

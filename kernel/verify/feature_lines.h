@@ -14,6 +14,7 @@ void each_feature_line(const Drawing& drawing, const F& each) {
     for (const Path& path : layer.paths) {
       if (!path.visible || path.kind == LineClass::Stroke || path.kind == LineClass::Pattern ||
           path.kind == LineClass::Trail || path.kind == LineClass::Centre ||
+          path.kind == LineClass::Thread || path.kind == LineClass::ThreadEnd ||
           path.points.size() < 2) {
         continue;
       }

@@ -103,8 +103,10 @@ Tested test_line(const Path& path, const Camera& camera, const Referee& referee,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Finding finding = referee.test(places[i].model, path.visible, fold);
     const bool shown = finding == Finding::Open && is_feature(path) && drawn.near(places[i].paper);
-    // Trails of exploded views lie on nothing.
-    const bool on_nothing = finding == Finding::Adrift && path.kind == LineClass::Trail;
+    // Trails of exploded views lie on nothing, hidden lines of threads within a part.
+    const bool within =
+        !path.visible && (path.kind == LineClass::Thread || path.kind == LineClass::ThreadEnd);
+    const bool on_nothing = finding == Finding::Adrift && (path.kind == LineClass::Trail || within);
     if (finding == Finding::Holds || shown || on_nothing) {
       close(i);
     } else {

@@ -21,7 +21,8 @@ constexpr double kOnPlane = 4;
 /// Whether a curve is drawn on a surface rather than where surfaces bend, end or meet.
 inline bool lies_on_surface(const Curve3& curve) {
   return curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||
-         curve.kind == LineClass::Isophote;
+         curve.kind == LineClass::Isophote || curve.kind == LineClass::Thread ||
+         curve.kind == LineClass::ThreadEnd;
 }
 
 /// Casts rays from points of curves to the viewer. A ray does not count

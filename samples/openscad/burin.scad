@@ -36,6 +36,13 @@ module callout(number) {
   children();
 }
 
+// The children have a thread on their shafts and in their holes that fit its size, "M6" or "M6x0.75":
+// all along, or `length` mm from the open end.
+module thread(size, length) {
+  burin_says("thread", [size, length]);
+  children();
+}
+
 // A polyhedron without faces, which OpenSCAD makes nothing of; its points hold what is said.
 module burin_says(what, arguments) {
   polyhedron(points = concat([[0.271828, 0.314159, 0.141421]], burin_points(concat([what], arguments))),

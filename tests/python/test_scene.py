@@ -176,6 +176,45 @@ class Joined(unittest.TestCase):
         self.assertEqual([item["quantity"] for item in burin.items(scene_of(False))], [2, 2])
 
 
+class Threads(unittest.TestCase):
+    """PLATE has a bore of 10 mm at 10, 10: of a thread of 12 mm with a pitch of 2."""
+
+    thread = {"size": "M12x2", "at": (10, 10, 10), "along": (0, 0, -2), "length": 6}
+
+    def plate(self):
+        scene = burin.Scene()
+        scene.add_brep(PLATE, "plate")
+        return scene
+
+    def arcs(self, scene, **keys):
+        drawing = burin.draw(scene, style="outline", view="top", **keys)
+        return [path for layer in drawing.layers if layer.name == "thread" for path in layer.paths]
+
+    def test_of_a_part_are_drawn_on_its_cylinder(self):
+        scene = self.plate()
+        self.assertEqual(scene.parts[0].threads, [])
+        scene.parts[0].threads = [self.thread]
+        [told] = scene.parts[0].threads
+        self.assertEqual((told["size"], told["along"], told["length"], told["internal"]), ("M12x2", (0, 0, -1), 6, True))
+        scene.parts[0].threads = [told]  # as it was given back
+        [arc] = self.arcs(scene)
+        np.testing.assert_allclose(np.hypot(arc.points3[:, 0] - 10, arc.points3[:, 1] - 10), 6, atol=1e-6)
+        self.assertEqual(self.arcs(scene, set={"feature.threads": False}), [])
+
+    def test_of_illustrations_and_keywords(self):
+        for keys in ({"thread": "plate=M12x2"}, {"illustration": {"threads": [{"select": "plate", "size": "M12x2"}]}}):
+            self.assertEqual(len(self.arcs(self.plate(), **keys)), 1, keys)
+
+    def test_what_is_no_thread_is_refused(self):
+        part = self.plate().parts[0]
+        for wrong, why in (({"size": "12"}, "not '12'"), ({"length": 0}, "over 0"), ({"along": (0, 0, 0)}, "direction"),
+                           ({"at": (1, 2)}, "three numbers"), ({"wide": 1}, 'no key "wide"')):
+            with self.assertRaisesRegex(burin.UsageError, why):
+                part.threads = [{**self.thread, **wrong}]
+        with self.assertRaisesRegex(burin.UsageError, "mapping"):
+            part.threads = ["M12x2"]
+
+
 class Brep(unittest.TestCase):
     def test_faces_and_edges_are_numbered_as_in_the_shape(self):
         scene = burin.Scene()

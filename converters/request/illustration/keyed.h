@@ -111,7 +111,7 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
                      IllustrationFile& out);
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
-    take_items, take_parts_list, take_details, take_title_block;
+    take_items, take_parts_list, take_details, take_threads, take_title_block;
 
 /// What these keys take.
 Json parts_schema();
@@ -121,6 +121,7 @@ Json section_schema();
 Json explode_schema();
 Json items_schema();
 Json details_schema();
+Json threads_schema();
 Json title_block_schema();
 /// A name, or the members of a style file.
 Json style_value_schema();
@@ -131,6 +132,7 @@ Json write_looks(const std::vector<LookRequest>& looks);
 Json write_lights(const std::vector<tone::Light>& lights);
 Json write_explode(const Explode& explode);
 Json write_items(const ItemNumbers& items);
+Json write_threads(const std::vector<ThreadRow>& threads, const Request& options);
 /// Those that options say.
 Json write_style(const Request& options);
 Json write_sections(const Request& options);

@@ -200,6 +200,13 @@ const std::vector<Row>& rows_of_file() {
              [](const File& file) {
                return unless_empty(Json(given_texts(file.request.options, "detail")));
              }},
+        {.name = "threads",
+         .schema = threads_schema(),
+         .read = take_threads,
+         .write =
+             [](const File& file) {
+               return unless_empty(write_threads(file.request.threads, file.request.options));
+             }},
     };
     for (const IllustrationKey& key : illustration_keys()) {
       const bool grouped = key.path.find('.') != std::string::npos;

@@ -72,6 +72,7 @@ Scene read_scene(const IllustrationFile& illustration, RunContext& context) {
     name_parts(one, input.name);
     for (std::size_t i = 0; i < one.parts.size(); ++i) {
       one.parts[i].form = found->second.placers[i].at(input.place);
+      for (Thread& thread : one.parts[i].threads) thread = placed(thread, input.place);
       all.parts.push_back(std::move(one.parts[i]));
     }
   }

@@ -91,6 +91,7 @@ class PartJob:
     color: str = ""
     opacity: float = 1.0  # below 1 what is behind shows through
     face_colors: Tuple[str, ...] = ()  # of each face of `brep`, where they differ, of glass with its opacity
+    threads: Tuple[Dict[str, Any], ...] = ()  # as burin.Part has them
     assembly: List[str] = field(default_factory=list)
     definition: str = ""  # the name of what it is an instance of
     drawn: bool = True
@@ -105,7 +106,7 @@ class PartJob:
 
 _SHAPE = {"brep", "vertices", "triangles", "placement"}
 # Fields of later versions: drawings that are stored stay up to date where these say nothing.
-_LATER = {"face_colors", "opacity"}
+_LATER = {"face_colors", "opacity", "threads"}
 
 # Seconds after which no further shape is looked at for faults.
 LOOK = 10.0
@@ -162,6 +163,7 @@ class Job:
             said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE | _LATER]
             said += [part.face_colors] if part.face_colors else []
             said += [part.opacity] if part.opacity < 1 else []
+            said += [part.threads] if part.threads else []
             digest.update(repr(said).encode())
             if part.brep is not None:
                 if id(part.brep) not in blocks_of:

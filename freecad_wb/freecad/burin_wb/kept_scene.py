@@ -57,13 +57,15 @@ class KeptScene:
                 made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(),
                                       face_colors=part.face_colors, **common)
             made.definition = part.definition
+            if part.threads:
+                made.threads = part.threads
             if part.opacity < 1:  # that of faces is with their colours
                 made.opacity = part.opacity
         return scene
 
     @staticmethod
     def _part_key(part):
-        said = part.name, part.source, part.color, part.opacity, part.face_colors, tuple(part.assembly), part.definition, part.placement
+        said = part.name, part.source, part.color, part.opacity, part.face_colors, tuple(part.assembly), part.definition, part.placement, repr(part.threads)
         if part.brep is not None:
             return (*said, digest_of(part.brep))
         digest = hashlib.sha256(part.vertices.tobytes())

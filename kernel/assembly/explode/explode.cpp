@@ -3,6 +3,7 @@
 #include <burin/base/short_list.h>
 #include <burin/explode/explode.h>
 #include <burin/surface/placed_form.h>
+#include <burin/surface/thread.h>
 #include <burin/visibility/occluder.h>
 
 #include "contacts.h"
@@ -245,6 +246,7 @@ void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
     if (moves[i] == Vec3(0)) continue;
     std::shared_ptr<const Form>& form = scene.parts[i].form;
     form = placers.try_emplace(form.get(), form).first->second.at({Mat3(1), moves[i]});
+    for (Thread& thread : scene.parts[i].threads) thread = placed(thread, {Mat3(1), moves[i]});
   }
 }
 

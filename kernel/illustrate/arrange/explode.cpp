@@ -160,6 +160,7 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   if (illustration.overall_dimensions)
     illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
   number_parts(scene, illustration, context);
+  find_threads(scene, illustration, context);
   place_parts(scene, illustration, context);
   add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;

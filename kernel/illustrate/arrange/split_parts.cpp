@@ -37,6 +37,7 @@ Strings selectors_of(const Illustration& illustration) {
   for (const ExplodeStep& step : illustration.explode.steps) append(all, step.move);
   if (!illustration.explode.base.empty()) all.push_back(illustration.explode.base);
   for (const DetailView& detail : illustration.details) append(all, detail.select);
+  for (const ThreadRow& thread : illustration.thread_rows) append(all, thread.select);
   return all;
 }
 

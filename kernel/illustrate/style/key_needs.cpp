@@ -96,6 +96,8 @@ constexpr KeyNeed kShadowOfOwnColor{
 constexpr KeyNeed kCentreLines{
     [](const KeyPlace& p) { return p.part.feature.centre_lines; },
     ": style '{style}' draws no centre lines (feature.centre_lines=true does)"};
+constexpr KeyNeed kThreads{[](const KeyPlace& p) { return p.part.feature.threads; },
+                           ": style '{style}' draws no threads (feature.threads=true does)"};
 constexpr KeyNeed kStrokes{stroked, ": style '{style}' draws no strokes (hatch.enabled=true does)"};
 constexpr KeyNeed kBare{[](const KeyPlace& p) { return p.hatched; },
                         ": all parts are drawn without strokes (`ghost`, `highlight`)"};
@@ -125,6 +127,8 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> all = {
       {"line.centre", {kCentreLines}},
       {"line.centre_over", {kCentreLines}},
+      {"line.thread", {kThreads}},
+      {"line.thread_gap", {kThreads}},
       {"fill.color", {kSeen}},
       {"fill.opacity", {kColored}},
       {"fill.ink", {kColored, kSeen}},

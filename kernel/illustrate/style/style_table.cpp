@@ -52,6 +52,10 @@ std::vector<OptionRow<LineOptions>> line_rows() {
       number("centre", &LineOptions::centre, width, "width of centre lines, in mm"),
       number("centre_over", &LineOptions::centre_over, {0, 50, "mm"},
              "how far centre lines go beyond the outline, in mm"),
+      number("thread", &LineOptions::thread, width,
+             "width of the thin lines of threads, in mm; where threads end it is that of contours"),
+      number("thread_gap", &LineOptions::thread_gap, {0, 10, "mm"},
+             "how far thin lines of threads stay from the outline at the least, in mm"),
 
       color("color", &LineOptions::color,
             "colour of the lines, of strokes too; a part in a style of its own has its "

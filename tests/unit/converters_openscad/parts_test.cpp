@@ -96,6 +96,25 @@ TEST(TreeParts, WhatOnlyShowsSomethingIsNoItem) {
                                                  {"/a (highlighted) #2", false}}));
 }
 
+TEST(TreeParts, AThreadIsOnTheWholeOfThePartThatHoldsItsChildren) {
+  const std::string shaft = call("thread", said("M6") + said(18.0), 2, "cylinder(h = 20);");
+  const Found found(call("part", said("screw"), 1, "sphere(); " + shaft));
+  ASSERT_EQ(found.names(), Names{"screw"});
+  EXPECT_EQ(found.parts.parts[0].pieces.size(), 2U);
+  ASSERT_EQ(found.marks.threads.size(), 1U);
+  EXPECT_EQ(found.marks.threads[0].part, "/screw");
+  EXPECT_EQ(found.marks.threads[0].size, "M6");
+  EXPECT_EQ(found.marks.threads[0].length, 18);
+  const Found around(call("thread", said("M6x0.75"), 1, call("part", said("nut"), 1, "cube();")));
+  ASSERT_EQ(around.marks.threads.size(), 1U);
+  EXPECT_EQ(around.marks.threads[0].part, "/nut");
+  EXPECT_FALSE(around.marks.threads[0].length);
+  const Found wrong(call("thread", said(6.0), 1, "cylinder(h = 20);"));
+  EXPECT_TRUE(wrong.marks.threads.empty());
+  ASSERT_EQ(wrong.diagnostics.entries().size(), 1U);
+  EXPECT_NE(wrong.diagnostics.entries()[0].message.find("thread() takes"), std::string::npos);
+}
+
 TEST(TreeParts, ObjectsWithoutANameHaveThatOfTheFile) {
   EXPECT_EQ(Found("cube();").names(), Names{"a"});
   EXPECT_EQ(Found("cube(); sphere();").names(), (Names{"a", "a #2"}));

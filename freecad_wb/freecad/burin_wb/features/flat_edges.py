@@ -12,8 +12,8 @@ from .sheet_view import add_template, add_view, blank_template, sheet_center, sh
 # Edges stay this near to the drawn lines, in mm of paper: half the finest pen's width is 0.06.
 TOLERANCE = 0.02
 
-# Kinds of paths that are no lines of the model: numbers with their leaders, lists, the ways of an exploded view; and hatching.
-NOTES, STROKES = ("leader", "frame", "trail", "centre"), ("stroke", "pattern")
+# Kinds of paths that are no lines of the model: numbers with their leaders, lists, the ways of an exploded view, threads; and hatching.
+NOTES, STROKES = ("leader", "frame", "trail", "centre", "thread", "thread-end"), ("stroke", "pattern")
 
 
 class FlatEdges:

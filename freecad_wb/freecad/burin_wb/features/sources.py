@@ -12,6 +12,7 @@ from .colors import colors_of, split
 from .looks import FLAGS, words_of
 from .shapes import shapes
 from .shown import is_shown
+from .threads import threads_of
 
 
 class Left(Exception):
@@ -204,6 +205,7 @@ def _piece(top, sub, obj, leaf, path):
         raise Left("has no faces (a sketch or wire); choose a solid, shell or face")
     if len(face_colors) == len(shape.Faces):
         part.face_colors = face_colors
+    part.threads = threads_of(leaf, top.getSubObject(sub, retType=4))
     return Piece(part, shape, leaf, top, sub)
 
 

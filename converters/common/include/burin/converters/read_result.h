@@ -27,10 +27,18 @@ struct ModelMarks {
     /// The way and how far, model mm.
     Vec3 move{0};
   };
+  /// A thread of a part, as an illustration has them.
+  struct Thread {
+    /// Its path.
+    std::string part;
+    std::string size = {};
+    std::optional<double> length = {};
+  };
   /// The file, for errors.
   std::string source = {};
   std::vector<Look> looks = {};
   std::vector<Step> steps = {};
+  std::vector<Thread> threads = {};
   bool callouts = false;
   /// Numbers as they are asked for, and the part that each is for; of equal ones the first holds.
   std::vector<std::pair<double, std::string>> items = {};
@@ -38,7 +46,8 @@ struct ModelMarks {
   std::optional<std::string> view = {}, up = {};
 
   bool empty() const {
-    return looks.empty() && steps.empty() && !callouts && items.empty() && !view && !up;
+    return looks.empty() && steps.empty() && threads.empty() && !callouts && items.empty() &&
+           !view && !up;
   }
 };
 

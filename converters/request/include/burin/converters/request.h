@@ -44,6 +44,8 @@ struct DrawRequest {
   Explode explode = {};
   /// Before those that options ask for.
   std::vector<DetailView> details = {};
+  /// Before those that options ask for.
+  std::vector<ThreadRow> threads = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.

@@ -13,10 +13,11 @@ namespace burin {
 
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
 /// boundaries, creases, smooth edges, seams, intersections, sections, isophotes (lines of equal
-/// light), patterns, strokes, trails of exploded views and centre lines. The drawing file has names
-/// for more, which other programs may write and `burin convert` passes on: ridges, valleys and
-/// suggestive contours. Leaders (with their dots and arrows) and frames (of numbers and tables) are
-/// laid out over a drawing and lie on no surface.
+/// light), patterns, strokes, trails of exploded views, centre lines, the thin lines of threads and
+/// the wide ones where these end. The drawing file has names for more, which other programs may
+/// write and `burin convert` passes on: ridges, valleys and suggestive contours. Leaders (with
+/// their dots and arrows) and frames (of numbers and tables) are laid out over a drawing and lie on
+/// no surface.
 enum class LineClass {
   Contour,
   Boundary,
@@ -33,6 +34,8 @@ enum class LineClass {
   Pattern,
   Trail,
   Centre,
+  Thread,
+  ThreadEnd,
   Leader,
   Frame
 };

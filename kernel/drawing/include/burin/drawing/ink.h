@@ -23,6 +23,9 @@ inline constexpr std::string_view kTrailLayer = "trail";
 /// The layer of centre lines and centre marks.
 inline constexpr std::string_view kCentreLayer = "centre";
 
+/// The layer of the lines that stand for threads.
+inline constexpr std::string_view kThreadLayer = "thread";
+
 /// The layer of the lines along which views are cut for sections.
 inline constexpr std::string_view kSectionPlaneLayer = "section-plane";
 

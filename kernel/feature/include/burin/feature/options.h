@@ -26,6 +26,9 @@ struct FeatureOptions {
   /// Of faces of revolution (burin/centre_lines/centre_lines.h): `extract_features` does not look
   /// at it.
   bool centre_lines = false;
+  /// Lines of threads that parts are known to have (burin/threads/thread_lines.h):
+  /// `extract_features` does not look at it.
+  bool threads = true;
   /// Degrees between neighbouring triangles from which an edge is sharp: forms that have no edges
   /// of their own take it (RealiseOptions), `extract_features` does not look at it.
   double crease_angle = 30;

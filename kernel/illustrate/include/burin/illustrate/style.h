@@ -17,8 +17,8 @@
 namespace burin {
 
 /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth edges
-/// and seams, intersections, hidden lines, trails of exploded views, centre lines; and their
-/// colour.
+/// and seams, intersections, hidden lines, trails of exploded views, centre lines, thin lines of
+/// threads; and their colour.
 struct LineOptions {
   double outer = 0.5;
   double contour = 0.3;
@@ -31,6 +31,9 @@ struct LineOptions {
   double centre = 0.18;
   /// Paper mm from the outline of a round face to the end of its centre line.
   double centre_over = 2.5;
+  double thread = 0.18;
+  /// Paper mm from the thin lines of a thread to the outline of its cylinder, at the least.
+  double thread_gap = 0.7;
   /// "#rrggbb" of all lines, strokes too; empty: `SheetStyle::ink`.
   std::string color = {};
 

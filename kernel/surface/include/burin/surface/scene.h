@@ -8,6 +8,7 @@
 #include <burin/surface/face_colors.h>
 #include <burin/surface/shape_measure.h>
 #include <burin/surface/surface.h>
+#include <burin/surface/thread.h>
 
 #include <memory>
 #include <string>
@@ -120,6 +121,8 @@ struct Part {
   /// The form of a plug-in that made it, by its name; empty: none did. Where it fails, all parts
   /// that it made are left out.
   std::string plugin_form = {};
+  /// Its screw threads that are no part of its form, by what the input says of them.
+  std::vector<Thread> threads = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.

@@ -20,6 +20,8 @@ struct Axis {
 
   /// From the nearest point of the axis.
   Vec3 to(Vec3 p) const { return p - point - glm::dot(p - point, along) * along; }
+
+  bool operator==(const Axis&) const = default;
 };
 
 /// A face of revolution, or a piece of one.

@@ -14,7 +14,8 @@
 
 namespace burin {
 
-/// All that an illustration does to parts: `select_parts`, `number_parts`, steps found, parts cut,
+/// All that an illustration does to parts: `select_parts`, `number_parts`, `find_threads`, steps
+/// found, parts cut,
 /// parts moved by the steps, with trails. Once for a scene. Throws as they do. Cost: that of
 /// `ExplodeModel` where parts come apart.
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context);
@@ -42,6 +43,15 @@ void split_parts(Scene& scene, const Illustration& illustration, std::vector<Par
 /// Tells in the scene's diagnostics of numbers that are kept for parts that are not there. Throws
 /// Cancelled.
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context);
+/// Finds the faces of the threads that the input tells of its parts and of those that the
+/// illustration asks for, as `Part::threads`; those of the illustration go over others on their
+/// face. Once `select_parts` knows which parts are drawn, and before any is cut or moved. Tells of
+/// threads for which no face is found, and of those that no table has. Throws UsageError where a
+/// selector names nothing or as `check_thread_row`. Cost: that of `ThreadFinder` a part that has
+/// threads.
+void find_threads(Scene& scene, const Illustration& illustration, RunContext& context);
+/// Throws UsageError where a row says of no thread what it is.
+void check_thread_row(const ThreadRow& row);
 /// Cuts the parts by the sections of an illustration, once `select_parts` knows which are drawn;
 /// sections with a view of their own cut copies (`Illustration::section_views`). Tells of sections
 /// that cut nothing and of parts that stay whole by custom. Throws UsageError where a selector

@@ -14,6 +14,7 @@
 #include <burin/illustrate/style.h>
 #include <burin/surface/scene.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,6 +70,26 @@ struct DetailView {
   std::string place = {};
 };
 
+/// Threads of the parts that selectors name: of the cylinders that fit their size, or of one.
+struct ThreadRow {
+  std::vector<std::string> select = {};
+  /// As people write it: "M6", "M6x0.75", or any text beside `diameter`; empty: by the cylinder.
+  std::string size = {};
+  /// Model mm: the nominal diameter, the pitch, and the minor diameter, where `size` does not say
+  /// them or they differ from ISO 261 and ISO 724.
+  std::optional<double> diameter = {}, pitch = {}, minor = {};
+  /// Which cylinder: the one next to a point of the model, in mm, or of this number in its part;
+  /// absent: all that fit.
+  std::optional<Vec3> at = {};
+  std::optional<std::int32_t> face = {};
+  /// Model mm: where the thread begins, from the open end (next to `at`), and how long it is;
+  /// absent: as far as the cylinder goes.
+  double start = 0;
+  std::optional<double> length = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
+
 /// A view that a section has for itself, as it stands where the section is found.
 struct SectionView {
   std::string letter;
@@ -111,6 +132,7 @@ struct Illustration {
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};
+  std::vector<ThreadRow> thread_rows = {};
   /// Width, depth and height of the parts that are drawn, along the axes of the model.
   bool overall_dimensions = false;
   /// What these are: arranging finds it, before anything is cut or moved.
