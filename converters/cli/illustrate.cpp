@@ -23,17 +23,18 @@ namespace {
 [[noreturn]] void refuse_illustration(const std::string& name) {
   throw UsageError(
       fmt::format("'{}' is an illustration file already; alone and with --explode auto, one that "
-                  "extends it by the steps of an exploded view is written",
+                  "extends it by the steps of an exploded view is written; alone, where it has "
+                  "rows of \"dimensions\", one by which these are found again in changed models",
                   name));
 }
 
-/// Whether an illustration is to be extended by its exploded view. Throws UsageError where it is an
-/// input for anything else.
+/// Whether an illustration is to be extended by its exploded view or its dimensions. Throws
+/// UsageError where it is an input for anything else.
 bool extends_another(const DrawArguments& arguments) {
   const auto found = std::ranges::find_if(
       arguments.inputs, [](const std::string& input) { return is_illustration(input); });
   if (found == arguments.inputs.end()) return false;
-  if (arguments.inputs.size() > 1 || !arguments.request.has("explode")) refuse_illustration(*found);
+  if (arguments.inputs.size() > 1) refuse_illustration(*found);
   for (const auto& [name, texts] : arguments.request.options) {
     if (name == "explode" || name == "explode_factor") continue;
     throw UsageError(called(name, Spelling::Options) +
@@ -52,11 +53,25 @@ std::vector<ExplodeStep> steps_of(Scene scene, DrawPlan& plan, RunContext& conte
   return steps;
 }
 
+std::string with_kept_dimensions(const std::string& base_illustration, DrawTask& task,
+                                 const std::filesystem::path& folder, RunContext& context,
+                                 Console& console) {
+  Scene scene = task.follow(task.read(context));
+  select_parts(scene, task.plan);
+  const std::vector<DimensionRow> kept = kept_dimensions(scene, task.plan, context);
+  console.diagnostics(with_spelling(scene.diagnostics, Spelling::Options));
+  return kept_illustration(base_illustration, folder, kept, task.plan.overall_dimensions);
+}
+
 std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
                      RunContext& context, Console& console) {
   const std::string& base_illustration = arguments.inputs.front();
   DrawTask task(find_inputs(arguments.inputs), arguments.request, Spelling::Options);
-  if (!task.plan.explode.wanted) refuse_illustration(base_illustration);  // --explode none
+  if (!arguments.request.has("explode") && !task.plan.dimensions.empty()) {
+    return with_kept_dimensions(base_illustration, task, folder, context, console);
+  }
+  const bool explodes = arguments.request.has("explode") && task.plan.explode.wanted;
+  if (!explodes) refuse_illustration(base_illustration);  // --explode none
   Scene scene = task.follow(task.read(context));
   return exploded_illustration(base_illustration, arguments.request, folder,
                                steps_of(std::move(scene), task.plan, context, console));

@@ -151,6 +151,7 @@ py::dict illustration(const py::object& source) {
   out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
   out["details"] = list_at(members, "details");
   out["threads"] = list_at(members, "threads");
+  out["dimensions"] = list_at(members, "dimensions");
   py::dict items;
   for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
@@ -226,7 +227,9 @@ void add_illustration(py::module_& module) {
       "\"iso\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", \"explode\", \"details\" and \"threads\" unchanged; \"views\", "
+      "\"looks\"; \"sections\", \"explode\", \"details\", \"threads\" and \"dimensions\" "
+      "unchanged; "
+      "\"views\", "
       "names, and "
       "\"projection\"; \"items\", number to name; \"title_block\" unchanged; "
       "\"callouts\", \"parts_list\" and \"legend\" (on the sheet), True or False; \"hidden\", "

@@ -21,7 +21,7 @@ std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
   for (const auto& [asked, name] :
        {std::pair(!plan.views.empty(), "`views`"),
         {own_view, "`section_view`"},
-        {plan.overall_dimensions, "`dimensions`"},
+        {plan.overall_dimensions || !plan.dimensions.empty(), "`dimensions`"},
         {!plan.details.empty(), "`detail`"},
         {plan.legend, "`legend`"},
         {plan.title_block.has_value(), "`title_block`"},

@@ -77,8 +77,9 @@ void choose_parts(Revision& before, Revision& after) {
 
 /// What of the plan is about one model alone.
 void leave_out(DrawPlan& plan) {
-  if (plan.overall_dimensions) {
+  if (plan.overall_dimensions || !plan.dimensions.empty()) {
     plan.overall_dimensions = false;
+    plan.dimensions.clear();
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    "dimensions have no effect on a drawing of two revisions");
   }

@@ -106,7 +106,7 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   const bool lists =
       plan.callouts || plan.parts_list || plan.legend || own_views || !plan.details.empty();
   for (const std::string& key : plan.style_keys) {
-    if (key.starts_with("dimension.") && !plan.overall_dimensions) {
+    if (key.starts_with("dimension.") && !plan.overall_dimensions && plan.dimensions.empty()) {
       note(fmt::format("style key {} has no effect without {}", key,
                        called("dimensions", plan.spelling)));
     }
@@ -196,6 +196,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.explode = request.explode;
   plan.details = request.details;
   plan.thread_rows = request.threads;
+  plan.dimensions = request.dimensions;
   plan.illustrate.part_styles = part_styles;
   plan.spelling = spelling;
   draft.looks = request.looks;

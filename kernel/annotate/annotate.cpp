@@ -68,8 +68,25 @@ Box2 ink_box(const Drawing& drawing) {
     for (const Path& path : layer.paths) {
       for (const Vec2& p : path.points) box.add(p);
     }
+    for (const Text& text : layer.texts) box.add(text_box(text));
   }
   return box;
+}
+
+/// The boxes of the letters that a drawing has, as of dimensions.
+std::vector<Box2> letters_of(const Drawing& drawing) {
+  std::vector<Box2> out;
+  for (const Layer& layer : drawing.layers) {
+    for (const Text& text : layer.texts) out.push_back(text_box(text));
+  }
+  return out;
+}
+
+/// Whether a leader passes over letters.
+bool passes_over(const Box2& letters, Vec2 from, Vec2 to) {
+  const Vec2 a = letters.min, c = letters.max, b(c.x, a.y), d(a.x, c.y);
+  return letters.contains(from) || letters.contains(to) || segments_cross(from, to, a, c) ||
+         segments_cross(from, to, b, d);
 }
 
 int largest_number(const std::vector<DrawingItem>& items) {
@@ -101,9 +118,15 @@ void add_callouts(Drawing& drawing, std::span<const Area> seen, const Box2& fram
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
   const detail::StrokeDirections directions(drawing);
+  const std::vector<Box2> letters = letters_of(drawing);
   const CalloutPlaces places =
-      place_callouts(points, ink, frame, sizes, style.layout, context,
-                     [&](Vec2 from, Vec2 to) { return directions.along(from, to); });
+      place_callouts(points, ink, frame, sizes, style.layout, context, [&](Vec2 from, Vec2 to) {
+        // As bad as that many mm along strokes.
+        constexpr double kOverLetters = 200;
+        const auto over = std::ranges::count_if(
+            letters, [&](const Box2& box) { return passes_over(box, from, to); });
+        return directions.along(from, to) + kOverLetters * static_cast<double>(over);
+      });
   if (places.unfinished) {
     drawing.diagnostics.add(Severity::Warning, "callouts.many", std::ssize(anchors),
                             fmt::format("{} callouts are too many to keep all leaders from "

@@ -127,8 +127,8 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
       return session ? session->draw(scene, sheet.camera(), style, lone, context)
                      : illustrate(scene, sheet.camera(), style, lone, context);
     };
-    const std::vector<Dimension>& dimensions = sheet.views.front().dimensions;
-    if (dimensions.empty()) return draw(options);
+    const ViewDimensions& dimensions = sheet.views.front().dimensions;
+    if (dimensions.list.empty()) return draw(options);
     IllustrateOptions lone = options;
     lone.dimensions = dimensions;
     return draw(lone);

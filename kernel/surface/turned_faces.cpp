@@ -117,35 +117,6 @@ class Slippage {
   std::vector<Motion> motions_;
 };
 
-std::optional<TurnedFace> turned_face(const Surface& surface,
-                                      const std::vector<std::uint32_t>& triangles) {
-  const std::vector<Sample> samples = samples_of(surface, triangles);
-  Vec3 middle(0);
-  for (const Sample& s : samples) middle += s.position / static_cast<double>(samples.size());
-  double size = 0;
-  for (const Sample& s : samples) size = std::max(size, glm::distance(s.position, middle));
-  // A strip of two triangles tells nothing.
-  if (samples.size() < 3 || !(size > 0)) return std::nullopt;
-  const Slippage slippage(samples, middle, size, surface.exact() ? kExact : kEstimated);
-  TurnedFace out;
-  if (const auto axis = slippage.axis()) {
-    out.axis = {middle + size * axis->point, axis->along};
-  } else if (const auto center = slippage.center()) {
-    out.axis.point = middle + size * *center;
-    out.sphere = true;
-  } else {
-    return std::nullopt;
-  }
-  double outward = 0;
-  for (const Sample& s : samples) {
-    const Vec3 from_axis = out.sphere ? s.position - out.axis.point : out.axis.to(s.position);
-    outward += glm::dot(from_axis, s.normal);
-  }
-  out.hollow = outward < 0;
-  out.triangles = triangles;
-  return out;
-}
-
 void mark(double from, double to, std::bitset<360>& turn) {
   constexpr double kTurn = 2 * std::numbers::pi;
   double way = std::remainder(to - from, kTurn);
@@ -193,6 +164,35 @@ TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,
       if (radii[k] > near && radii[next] > near) mark(angles[k], angles[next], out.turn);
     }
   }
+  return out;
+}
+
+std::optional<TurnedFace> turned_face(const Surface& surface,
+                                      const std::vector<std::uint32_t>& triangles) {
+  const std::vector<Sample> samples = samples_of(surface, triangles);
+  Vec3 middle(0);
+  for (const Sample& s : samples) middle += s.position / static_cast<double>(samples.size());
+  double size = 0;
+  for (const Sample& s : samples) size = std::max(size, glm::distance(s.position, middle));
+  // A strip of two triangles tells nothing.
+  if (samples.size() < 3 || !(size > 0)) return std::nullopt;
+  const Slippage slippage(samples, middle, size, surface.exact() ? kExact : kEstimated);
+  TurnedFace out;
+  if (const auto axis = slippage.axis()) {
+    out.axis = {middle + size * axis->point, axis->along};
+  } else if (const auto center = slippage.center()) {
+    out.axis.point = middle + size * *center;
+    out.sphere = true;
+  } else {
+    return std::nullopt;
+  }
+  double outward = 0;
+  for (const Sample& s : samples) {
+    const Vec3 from_axis = out.sphere ? s.position - out.axis.point : out.axis.to(s.position);
+    outward += glm::dot(from_axis, s.normal);
+  }
+  out.hollow = outward < 0;
+  out.triangles = triangles;
   return out;
 }
 

@@ -38,9 +38,11 @@ class Views(unittest.TestCase):
     def test_what_an_illustration_says(self):
         said = burin.illustration({"burin": "illustration", "parts": [{"file": str(SAMPLES / "bracket.off")}],
                                    "views": ["front", "left"], "projection": "third",
-                                   "details": [{"at": [0, 0, 0], "radius": 5}, "bracket=2:1"]})
+                                   "details": [{"at": [0, 0, 0], "radius": 5}, "bracket=2:1"],
+                                   "dimensions": ["overall", {"radius": [1, 2, 3]}]})
         self.assertEqual(said["views"], ["front", "left"])
         self.assertEqual(said["projection"], "third")
+        self.assertEqual(said["dimensions"], ["overall", {"radius": [1, 2, 3]}])
         self.assertEqual(said["details"], [{"at": [0, 0, 0], "radius": 5}, "bracket=2:1"])
 
     def test_errors(self):

@@ -111,7 +111,7 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
                      IllustrationFile& out);
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
-    take_items, take_parts_list, take_details, take_threads, take_title_block;
+    take_items, take_parts_list, take_details, take_threads, take_dimensions, take_title_block;
 
 /// What these keys take.
 Json parts_schema();
@@ -122,6 +122,7 @@ Json explode_schema();
 Json items_schema();
 Json details_schema();
 Json threads_schema();
+Json dimensions_schema();
 Json title_block_schema();
 /// A name, or the members of a style file.
 Json style_value_schema();
@@ -136,6 +137,7 @@ Json write_threads(const std::vector<ThreadRow>& threads, const Request& options
 /// Those that options say.
 Json write_style(const Request& options);
 Json write_sections(const Request& options);
+Json write_dimensions(const DrawRequest& request);
 Json write_title_block(const Request& options);
 /// The text of an option as JSON has its values.
 Json written_value(const RequestOption& option, const std::string& text);

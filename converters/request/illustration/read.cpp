@@ -143,6 +143,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& over) {
   all.sections.insert(all.sections.end(), over.sections.begin(), over.sections.end());
   all.details.insert(all.details.end(), over.details.begin(), over.details.end());
   all.threads.insert(all.threads.end(), over.threads.begin(), over.threads.end());
+  all.dimensions.insert(all.dimensions.end(), over.dimensions.begin(), over.dimensions.end());
   if (over.explode.wanted) all.explode = over.explode;
   if (!over.title.empty()) all.title = over.title;
   if (!over.items.empty()) all.items = over.items;

@@ -114,23 +114,12 @@ Json write_parts_list(const IllustrationFile& file) {
 
 const std::vector<IllustrationKey>& illustration_keys() {
   static const std::vector<IllustrationKey> keys = {
-      {"view.from", "view"},
-      {"view.up", "up"},
-      {"view.perspective", "perspective"},
-      {"view.scale", "scale"},
-      {"view.center", "center"},
-      {"paper.size", "paper"},
-      {"paper.margin", "margin"},
-      {"hidden", "hidden"},
-      {"centre_lines", "centre_lines"},
-      {"tolerance", "tolerance"},
-      {"seed", "seed"},
-      {"callouts", "callouts"},
-      {"legend", "legend"},
-      {"views", "views"},
-      {"hidden_views", "hidden_views"},
+      {"view.from", "view"},        {"view.up", "up"},         {"view.perspective", "perspective"},
+      {"view.scale", "scale"},      {"view.center", "center"}, {"paper.size", "paper"},
+      {"paper.margin", "margin"},   {"hidden", "hidden"},      {"centre_lines", "centre_lines"},
+      {"tolerance", "tolerance"},   {"seed", "seed"},          {"callouts", "callouts"},
+      {"legend", "legend"},         {"views", "views"},        {"hidden_views", "hidden_views"},
       {"projection", "projection"},
-      {"dimensions", "dimensions"},
   };
   return keys;
 }
@@ -193,6 +182,10 @@ const std::vector<Row>& rows_of_file() {
          .schema = explode_schema(),
          .read = take_explode,
          .write = write_explosion},
+        {.name = "dimensions",
+         .schema = dimensions_schema(),
+         .read = take_dimensions,
+         .write = [](const File& file) { return write_dimensions(file.request); }},
         {.name = "details",
          .schema = details_schema(),
          .read = take_details,

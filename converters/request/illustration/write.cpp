@@ -172,16 +172,34 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   return text_of(detail::write_object(detail::rows_of_file(), file));
 }
 
+namespace {
+
+/// A file that extends another by one key.
+std::string extending(const std::string& base_illustration, const fs::path& folder,
+                      const std::string& key, const IllustrationFile& file) {
+  Json json{{"extends", seen_from(folder, base_illustration)}};
+  for (const auto& row : detail::rows_of_file()) {
+    if (row.name != "burin" && row.name != "version" && row.name != key) continue;
+    json[row.name] = row.write(file);
+  }
+  return text_of(json);
+}
+
+}  // namespace
+
 std::string exploded_illustration(const std::string& base_illustration, const DrawRequest& request,
                                   const fs::path& folder, const std::vector<ExplodeStep>& steps) {
   IllustrationFile file{.inputs = {}, .request = request};
   file.request.explode.steps = steps;
-  Json json{{"extends", seen_from(folder, base_illustration)}};
-  for (const auto& row : detail::rows_of_file()) {
-    if (row.name != "burin" && row.name != "version" && row.name != "explode") continue;
-    json[row.name] = row.write(file);
-  }
-  return text_of(json);
+  return extending(base_illustration, folder, "explode", file);
+}
+
+std::string kept_illustration(const std::string& base_illustration, const fs::path& folder,
+                              const std::vector<DimensionRow>& dimensions, bool overall) {
+  IllustrationFile file;
+  file.request.dimensions = dimensions;
+  if (overall) file.request.options["dimensions"] = {"overall"};
+  return extending(base_illustration, folder, "dimensions", file);
 }
 
 std::string illustration_schema() {

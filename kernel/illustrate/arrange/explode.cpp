@@ -5,6 +5,7 @@
 #include <burin/explode/seen.h>
 
 #include "drawn_shape.h"
+#include "measured_rows.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>
@@ -110,7 +111,10 @@ std::vector<ExplodeStep> explode_steps(Scene& scene, const Illustration& illustr
 namespace {
 
 void place_parts(Scene& scene, Illustration& illustration, RunContext& context) {
-  if (!illustration.explode.wanted) return cut_parts(scene, illustration);
+  if (!illustration.explode.wanted) {
+    cut_parts(scene, illustration);
+    return detail::look_at_cuts(scene, illustration, context);
+  }
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps =
@@ -118,9 +122,11 @@ void place_parts(Scene& scene, Illustration& illustration, RunContext& context) 
   std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), illustration.explode.factor);
   if (illustration.finds_view) find_view(scene, illustration, model, moves, context);
   illustration.illustrate.trails = model.trails(steps, illustration.explode.factor);
+  detail::move_rows(scene, illustration, moves);
   detail::split_glazed(scene, illustration, moves);
   cut_parts(scene,
             illustration);  // where they belong: a section does not go through what has come apart
+  detail::look_at_cuts(scene, illustration, context);
   move_parts(scene, moves);
   for (const SectionView& view : illustration.section_views) move_parts(*view.scene, moves);
 }
@@ -159,6 +165,7 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   keep_room_for_centre_lines(illustration);
   if (illustration.overall_dimensions)
     illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
+  detail::measure_rows(scene, illustration, context);
   number_parts(scene, illustration, context);
   find_threads(scene, illustration, context);
   place_parts(scene, illustration, context);

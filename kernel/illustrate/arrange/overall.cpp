@@ -29,24 +29,25 @@ Vec3 unit(int axis) {
 }
 
 /// Whether a length is seen as long as it is, and whether it is seen at all.
-bool is_square(const OverallView& view, int axis) {
+bool is_square(const SheetView& view, int axis) {
   constexpr double kSquare = 1e-6;
-  return glm::length(on_paper(view.axes, unit(axis))) > 1 - kSquare;
+  return glm::length(on_paper(view.as.axes, unit(axis))) > 1 - kSquare;
 }
-bool is_seen(const OverallView& view, int axis) {
+bool is_seen(const SheetView& view, int axis) {
   constexpr double kLeast = 0.2;  // 12 degrees from the line of sight
-  return glm::length(on_paper(view.axes, unit(axis))) > kLeast;
+  return glm::length(on_paper(view.as.axes, unit(axis))) > kLeast;
 }
 
-OverallView* view_of(std::span<OverallView> views, int axis) {
+/// The number of the view; that of none.
+std::size_t view_of(std::span<const SheetView> views, int axis) {
   for (const auto shows : {is_square, is_seen}) {
     for (int rank = 0; rank <= 2; ++rank) {
-      for (OverallView& view : views) {
-        if (view.rank == rank && shows(view, axis)) return &view;
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].rank == rank && shows(views[i], axis)) return i;
       }
     }
   }
-  return nullptr;
+  return views.size();
 }
 
 /// An edge of the box along an axis, and the way from it to the line of its dimension.
@@ -118,32 +119,14 @@ Edge best_edge(const Box3& box, const Mat3& axes, int axis, std::span<const Edge
   return best;
 }
 
-/// Paper mm of room that is taken in a direction.
-double taken(const Margin& room, Vec2 out) {
-  return std::max(out.x, 0.0) * room.right + std::max(-out.x, 0.0) * room.left +
-         std::max(out.y, 0.0) * room.top + std::max(-out.y, 0.0) * room.bottom;
-}
-
-void take(Margin& room, Vec2 reach) {
-  room = Margin(std::max(room.top, reach.y), std::max(room.right, reach.x),
-                std::max(room.bottom, -reach.y), std::max(room.left, -reach.x));
-}
-
 }  // namespace
 
-Overall::Overall(Scene& scene, const Illustration& illustration, std::vector<OverallView> views)
-    : style_(illustration.style.dimension), views_(std::move(views)) {
-  if (!illustration.overall_dimensions || !illustration.whole) return;
-  if (illustration.view.perspective) {
-    scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
-                          "a perspective view has no dimensions: leave `perspective` out");
-    return;
-  }
-  drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
-  share(scene, *illustration.whole, illustration.explode.wanted);
-}
-
-void Overall::share(Scene& scene, const Box3& whole, bool apart) {
+std::vector<OverallShares> share_overall(Scene& scene, const Illustration& illustration,
+                                         const Box3& drawn, std::span<const SheetView> views) {
+  std::vector<OverallShares> shares(views.size());
+  if (!illustration.overall_dimensions || !illustration.whole) return shares;
+  const Box3& whole = *illustration.whole;
+  const bool apart = illustration.explode.wanted;
   constexpr double kSame = 1e-6;
   const double near = kSame * whole.diagonal();
   const auto not_drawn = [&](int axis, const char* why) {
@@ -151,38 +134,36 @@ void Overall::share(Scene& scene, const Box3& whole, bool apart) {
                           fmt::format("the {} has no dimension: {}", kNames[axis], why));
   };
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(drawn_.min[axis] - whole.min[axis]) > near ||
-        std::abs(drawn_.max[axis] - whole.max[axis]) > near) {
+    if (std::abs(drawn.min[axis] - whole.min[axis]) > near ||
+        std::abs(drawn.max[axis] - whole.max[axis]) > near) {
       not_drawn(axis, apart ? "the parts have come apart" : "a section takes a part of it away");
       continue;
     }
     if (whole.size()[axis] <= near) continue;  // there is none
-    if (OverallView* view = view_of(views_, axis)) {
-      view->shows[axis] = true;
+    if (const std::size_t view = view_of(views, axis); view < views.size()) {
+      shares[view][static_cast<std::size_t>(axis)] = true;
     } else {
       not_drawn(axis, "no view of the sheet shows it");
     }
   }
+  return shares;
 }
 
-std::vector<Dimension> Overall::of_view(std::size_t i, Margin& room) const {
-  const OverallView& view = views_[i];
+std::vector<Dimension> overall_of_view(const Box3& drawn, const Mat3& axes,
+                                       const OverallShares& shares, const DimensionOptions& style) {
   std::vector<Dimension> dimensions;
-  const DimensionReach reach = dimension_reach(style_);
-  const Margin before = room;
   std::vector<Edge> edges;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!view.shows[axis]) continue;
-    const Edge edge = best_edge(drawn_, view.axes, axis, edges);
+    if (!shares[static_cast<std::size_t>(axis)]) continue;
+    const Edge edge = best_edge(drawn, axes, axis, edges);
     if (!std::isfinite(edge.rank)) continue;
     edges.push_back(edge);
-    const Vec2 out = glm::normalize(on_paper(view.axes, edge.outwards));
-    const Dimension dimension{edge.from, edge.to, edge.outwards, reach.line + taken(before, out),
-                              dimension_text(drawn_.size()[axis], style_)};
-    const Vec2 along = glm::normalize(on_paper(view.axes, unit(axis)));
-    const double across = std::abs(cross2(along, out));
-    take(room, (dimension.distance / across + reach.end) * out);
-    dimensions.push_back(dimension);
+    Dimension& one = dimensions.emplace_back();
+    one.from = edge.from;
+    one.to = edge.to;
+    one.outwards = edge.outwards;
+    one.overall = true;
+    one.text = dimension_text(drawn.size()[axis], style);
   }
   return dimensions;
 }

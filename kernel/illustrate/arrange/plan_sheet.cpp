@@ -6,7 +6,8 @@
 
 #include "details.h"
 #include "drawn_shape.h"
-#include "overall.h"
+#include "lone_view.h"
+#include "sheet_dimensions.h"
 #include "wanted_views.h"
 
 #include <fmt/format.h>
@@ -20,87 +21,7 @@
 namespace burin {
 namespace {
 
-/// A perspective view knows one margin.
-Margin margin_of(const Margin& m, const Illustration& illustration) {
-  return illustration.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
-}
-
-/// What is drawn in a view, with its shadow on the ground where there is one.
-Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration,
-                           const ViewOptions& view) {
-  return extent_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, view);
-}
-
-Margin sum(const Margin& a, const Margin& b) {
-  return {a.top + b.top, a.right + b.right, a.bottom + b.bottom, a.left + b.left};
-}
-
-/// The margin with the room that callouts and the parts list need.
-SheetOptions sheet_with_tables(const Camera::ExtentFn& extent, const Illustration& illustration) {
-  SheetOptions sheet = illustration.sheet;
-  if (!illustration.illustrate.annotations) return sheet;
-  const Annotations& over = *illustration.illustrate.annotations;
-  const CalloutOptions& style = illustration.style.callout;
-  if (!sheet.fits) {
-    sheet.margin = annotation_margin(over, style, illustration.view.paper);
-    return sheet;
-  }
-  // A sheet that fits grows until they have room; what has none then is told by the drawing.
-  constexpr int kMostSteps = 200;
-  constexpr double kStep = 5;  // paper mm
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Paper paper = settle(extent, illustration.view, sheet).paper;
-    if (annotations_fit(over, style, paper, sheet.margin)) break;
-    const Margin needed = annotation_margin(over, style, paper);
-    Margin& m = sheet.margin;
-    const Margin more(std::max(m.top, needed.top), std::max(m.right, needed.right),
-                      std::max(m.bottom, needed.bottom), std::max(m.left, needed.left));
-    const bool grows =
-        more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
-    m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);
-    m = margin_of(m, illustration);
-  }
-  return sheet;
-}
-
-/// And that which dimensions need.
-SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration,
-                             const Margin& room) {
-  SheetOptions sheet = sheet_with_tables(extent, illustration);
-  sheet.margin = sum(sheet.margin, room);
-  return sheet;
-}
-
-/// What is drawn, with the ends of what is measured: corners of a box about it, which an oblique
-/// view may show farther out.
-Camera::ExtentFn with_measured(Camera::ExtentFn drawn, std::vector<Dimension> dimensions) {
-  return [drawn = std::move(drawn), dimensions = std::move(dimensions)](const Mat3& axes) {
-    Box3 box = drawn(axes);
-    for (const Dimension& one : dimensions) box.add(axes * one.from), box.add(axes * one.to);
-    return box;
-  };
-}
-
-/// The camera of a view that has the sheet for itself. `room`: of dimensions.
-Camera lone_camera(const Scene& scene, const Illustration& illustration,
-                   const std::vector<Dimension>& dimensions, const Margin& room) {
-  const Camera::ExtentFn extent =
-      with_measured(extent_of(scene, illustration, illustration.view), dimensions);
-  if (!illustration.illustrate.annotations || !illustration.view.perspective ||
-      illustration.sheet.fits) {
-    return Camera::fit(
-        extent, settle(extent, illustration.view, sheet_with_room(extent, illustration, room)));
-  }
-  // A perspective view knows one margin: it is fitted to what is left of the sheet.
-  ViewOptions view = settle(extent, illustration.view, illustration.sheet);
-  const Paper sheet = view.paper;
-  const Margin m = sum(
-      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet),
-      room);
-  view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
-  view.margin = 0;
-  return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
-}
+using detail::extent_of, detail::lone_view, detail::sum, detail::with_measured, detail::kMostRounds;
 
 /// Paper mm between views, and between a view and the edge of what it may take.
 constexpr double kBetweenViews = 12;
@@ -140,11 +61,7 @@ class SheetPlanner {
   SheetOfViews run() {
     const Vec2 free = frame_.size();
     views_ = detail::wanted_views(illustration_);
-    std::vector<detail::OverallView> seen;
-    for (const detail::WantedView& wanted : views_)
-      seen.push_back({detail::axes_of(wanted.view), wanted.section ? 2 : wanted.marked ? 1 : 0});
-    if (views_.empty()) seen.push_back({detail::axes_of(illustration_.view)});
-    overall_.emplace(scene_, illustration_, std::move(seen));
+    measured_.emplace(scene_, illustration_, measuring_views());
     std::vector<std::string> letters;
     for (const SectionView& view : illustration_.section_views) letters.push_back(view.letter);
     details_ = detail::plan_details(scene_, illustration_.details, detail::axes_of(first_view()),
@@ -165,6 +82,23 @@ class SheetPlanner {
   }
 
  private:
+  std::vector<detail::SheetView> measuring_views() const {
+    if (views_.empty()) return {lone_view(illustration_)};
+    std::vector<detail::SheetView> seen;
+    for (const detail::WantedView& wanted : views_) {
+      detail::SheetView view = lone_view(illustration_);
+      view.as.axes = detail::axes_of(wanted.view);
+      view.name = wanted.name;
+      view.rank = wanted.section ? 2 : wanted.marked ? 1 : 0;
+      if (wanted.section) {
+        const SectionView* first = illustration_.section_views.data();
+        view.as.scene = 1 + static_cast<std::size_t>(wanted.section - first);
+      }
+      seen.push_back(std::move(view));
+    }
+    return seen;
+  }
+
   /// Of several views the one from above has no shadow on the ground.
   Camera::ExtentFn extent_in_grid(const ViewOptions& view) const {
     if (views_.empty()) return extent_of(scene_, illustration_, view);
@@ -222,7 +156,7 @@ class SheetPlanner {
   }
 
   /// A camera whose picture stands in the middle of a box.
-  Camera in_box(ViewOptions view, const Box2& box, const std::vector<Dimension>& measured) const {
+  Camera in_box(ViewOptions view, const Box2& box, const ViewDimensions& measured) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
     const Camera::ExtentFn shown = with_measured(extent(view), measured);
@@ -231,7 +165,7 @@ class SheetPlanner {
   }
 
   /// A camera of a given scale whose picture has its middle there.
-  Camera on_middle(ViewOptions view, Vec2 middle, const std::vector<Dimension>& measured) const {
+  Camera on_middle(ViewOptions view, Vec2 middle, const ViewDimensions& measured) const {
     const Paper sheet = view.paper;
     const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
     view.margin = 0;
@@ -241,11 +175,18 @@ class SheetPlanner {
   void place_one() {
     const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
     Margin room(0);
-    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, overall_->of_view(0, room)};
-    view.camera = in_box(illustration_.view,
-                         {frame_.min + callouts + Vec2(room.left, room.bottom),
-                          frame_.max - callouts - Vec2(room.right, room.top)},
-                         view.dimensions);
+    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, measured_->of_view(0, room)};
+    const Mat3 axes = detail::axes_of(illustration_.view);
+    const Box3 shown = with_measured(extent(illustration_.view), view.dimensions)(axes);
+    for (int round = 0; round < kMostRounds; ++round) {
+      view.camera = in_box(illustration_.view,
+                           {frame_.min + callouts + Vec2(room.left, room.bottom),
+                            frame_.max - callouts - Vec2(room.right, room.top)},
+                           view.dimensions);
+      const Margin needed = measured_->room(0, view.dimensions, shown, view.camera.scale());
+      if (detail::holds(room, needed)) break;
+      room = detail::larger(room, needed);
+    }
     sheet_.views.push_back(std::move(view));
   }
 
@@ -261,27 +202,40 @@ class SheetPlanner {
       sheet_.symbol_at = frame_.min;
       frame.min.y += projection_symbol_size().y + 0.5 * kBetweenViews;
     }
-    std::vector<std::vector<Dimension>> dimensions;
+    std::vector<ViewDimensions> dimensions;
+    std::vector<Box3> shown;
     std::vector<GridView> grid_views;
     const std::size_t numbered = view_with_callouts();
+    Margin callouts(0);
     for (const detail::WantedView& wanted : views_) {
       GridView view{wanted.stands_as, Vec2(0), wanted.room};
-      dimensions.push_back(overall_->of_view(dimensions.size(), view.room));
-      const Vec3 size =
-          with_measured(extent(wanted.view), dimensions.back())(detail::axes_of(wanted.view))
-              .size();
-      view.size = {size.x, size.y};
+      dimensions.push_back(measured_->of_view(dimensions.size(), view.room));
+      shown.push_back(
+          with_measured(extent(wanted.view), dimensions.back())(detail::axes_of(wanted.view)));
+      view.size = {shown.back().size().x, shown.back().size().y};
       if (grid_views.size() == numbered) {
-        const Vec2 callouts = callout_capacity_of(illustration_, 0.5 * frame.size());
-        view.room = sum(view.room, Margin(callouts.y, callouts.x, callouts.y, callouts.x));
+        const Vec2 side = callout_capacity_of(illustration_, 0.5 * frame.size());
+        callouts = Margin(side.y, side.x, side.y, side.x);
+        view.room = sum(view.room, callouts);
       }
       grid_views.push_back(std::move(view));
     }
     const auto arranged = [&](std::optional<double> scale) {
       return arrange_views(grid_views, illustration_.projection, frame, kBetweenViews, scale);
     };
-    ViewGrid grid = arranged(illustration_.view.scale);
-    if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
+    ViewGrid grid;
+    for (int round = 0; round < kMostRounds; ++round) {
+      grid = arranged(illustration_.view.scale);
+      if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
+      bool has_room = true;
+      for (std::size_t i = 0; i < views_.size(); ++i) {
+        Margin needed = measured_->room(i, dimensions[i], shown[i], grid.scale);
+        if (i == numbered) needed = sum(needed, callouts);
+        has_room &= detail::holds(grid_views[i].room, needed);
+        grid_views[i].room = detail::larger(grid_views[i].room, needed);
+      }
+      if (has_room) break;
+    }
     for (std::size_t i = 0; i < views_.size(); ++i) {
       ViewOptions view = views_[i].view;
       view.scale = grid.scale;
@@ -355,7 +309,7 @@ class SheetPlanner {
   bool with_circles_ = false;
   std::vector<detail::PlannedDetail> details_;
   std::vector<detail::WantedView> views_;
-  std::optional<detail::Overall> overall_;
+  std::optional<detail::SheetDimensions> measured_;
   SheetOfViews sheet_;
 };
 
@@ -373,14 +327,7 @@ SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
       !illustration.section_views.empty()) {
     return SheetPlanner(scene, illustration).run();
   }
-  SheetOfViews sheet;
-  Margin room(0);
-  const detail::Overall overall(scene, illustration, {{detail::axes_of(illustration.view)}});
-  std::vector<Dimension> dimensions = overall.of_view(0, room);
-  const Camera camera = lone_camera(scene, illustration, dimensions, room);
-  sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
-  sheet.views.front().dimensions = std::move(dimensions);
-  return sheet;
+  return detail::plan_lone_view(scene, illustration);
 }
 
 }  // namespace burin

@@ -150,6 +150,16 @@ Mat3 axes_of(const ViewOptions& view) {
   return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
 }
 
+std::string name_of(const ViewOptions& view) {
+  const std::string principal = principal_name(view.direction);
+  if (!principal.empty()) return principal;
+  for (const char* name : {"iso", "dimetric", "trimetric"}) {
+    const Vec3 d = named_view(name).direction;
+    if (glm::distance(glm::normalize(d), glm::normalize(view.direction)) < kSame) return name;
+  }
+  return "view";
+}
+
 std::vector<WantedView> wanted_views(const Illustration& illustration) {
   std::vector<WantedView> views;
   for (const std::string& name : illustration.views) views.push_back(named(illustration, name));

@@ -30,6 +30,9 @@ struct WantedView {
 Mat3 axes_of(const Camera& camera);
 Mat3 axes_of(const ViewOptions& view);
 
+/// "front", "iso" ... of a view that has the direction of such a one, else "view".
+std::string name_of(const ViewOptions& view);
+
 /// Those that are named, and one for each section that has its own. Without names the view that is
 /// asked for, after those that see sections from their edges where it does not itself; none where
 /// no section has a view of its own. Throws UsageError where `hidden_views` names another.

@@ -39,7 +39,7 @@ class OverallDimensions : public testing::Test {
   std::map<std::string, std::vector<std::string>> texts() {
     std::map<std::string, std::vector<std::string>> texts;
     for (const PlacedView& view : planned().views) {
-      for (const Dimension& one : view.dimensions) texts[view.name].push_back(one.text);
+      for (const Dimension& one : view.dimensions.list) texts[view.name].push_back(one.text);
     }
     return texts;
   }
@@ -97,7 +97,7 @@ TEST_F(OverallDimensions, HaveTheirArrowsAtTheEndsOfWhatTheyMeasure) {
   ASSERT_EQ(tips.size(), 4U);
   EXPECT_NEAR(tips[0].x, left, 1e-9);
   EXPECT_NEAR(tips[1].x, right, 1e-9);
-  EXPECT_NEAR(tips[0].y, foot - dimension_reach(plan_.style.dimension).line, 1e-9);
+  EXPECT_NEAR(tips[0].y, foot - 2.4 * plan_.style.dimension.height, 1e-9);
   ASSERT_EQ(layer->texts.size(), 2U);
   EXPECT_EQ(layer->texts[0].turn, 0);
   EXPECT_EQ(layer->texts[1].turn, 90);  // read from the right

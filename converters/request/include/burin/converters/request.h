@@ -46,6 +46,8 @@ struct DrawRequest {
   std::vector<DetailView> details = {};
   /// Before those that options ask for.
   std::vector<ThreadRow> threads = {};
+  /// Of features of parts, beside those that the option asks for.
+  std::vector<DimensionRow> dimensions = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.

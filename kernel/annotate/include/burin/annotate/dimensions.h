@@ -1,7 +1,9 @@
 #pragma once
-/// Dimensions: how long something is, on a line beside it.
+/// Dimensions: how long, wide or steep something is, on a line beside it.
 
+#include <burin/base/box.h>
 #include <burin/camera/camera.h>
+#include <burin/camera/sheet.h>
 #include <burin/drawing/drawing.h>
 #include <burin/options/row.h>
 
@@ -22,37 +24,88 @@ struct DimensionOptions {
   enum class Sign { Point, Comma };
   /// Between units and decimals.
   Sign sign = Sign::Point;
+  enum class Unit { Millimetre, Centimetre, Metre, Inch };
+  /// Lengths are written in it; all but millimetres say so.
+  Unit unit = Unit::Millimetre;
 
   bool operator==(const DimensionOptions&) const = default;
 };
 
-/// "height", "line", "decimals", "sign".
+/// "height", "line", "decimals", "sign", "unit".
 std::vector<OptionRow<DimensionOptions>> dimension_option_rows();
 
-/// A length as it is written: "80", "12.5".
+/// A length in model mm as it is written: "80", "12.5", "3.15 in"; an angle in degrees: "45°".
 std::string dimension_text(double length, const DimensionOptions& style);
+std::string angle_text(double degrees, const DimensionOptions& style);
 
-/// The length from one point of the model to another.
+/// One dimension in space, model mm: where it stands on paper is found for the view that shows it.
 struct Dimension {
-  /// Model mm.
+  enum class Kind : std::uint8_t {
+    Length,  // a line with two arrows between extension lines
+    Round,   // a leader to a circle or an arc, for diameters and radii
+    Angle,   // an arc with two arrows
+  };
+  Kind kind = Kind::Length;
+  /// Length: its ends. Round: the centre, and a point of the circle, in the middle of an arc.
+  /// Angle: where both sides meet, and a point of one side, as far out as there is something of it.
   Vec3 from{0}, to{0};
-  /// Unit, across the length: from these points to the line of the dimension.
+  /// Angle: a point of the other side. Round: unit, across the circle.
+  Vec3 other{0};
+  /// Round: degrees of the circle that there are.
+  double sweep = 360;
+  /// Length: points of what lies at its ends. Extension lines begin at the outermost that are on
+  /// them. Empty: at the last ink on them, or at the end itself. Angle: points of both sides.
+  /// Round: those of the circle that are seen, in `from_points`, on which leaders end; empty: all.
+  std::vector<Vec3> from_points = {}, to_points = {};
+  /// Length: unit, the way across it to its line; 0: the best is found.
   Vec3 outwards{0};
-  /// Paper mm from the points to that line, across it.
-  double distance = 0;
-  std::string text;
+  /// Length: one of the whole drawing, outside all others.
+  bool overall = false;
+  /// UTF-8: "80", "⌀20 H7"; deviations behind it, one above the other; empty: none.
+  std::string text = {}, upper = {}, lower = {};
 };
 
-/// Paper mm across a dimension: from what it measures to its line, and from there to its end.
-struct DimensionReach {
-  double line = 0, end = 0;
-};
-DimensionReach dimension_reach(const DimensionOptions& style);
+/// Places of the circle or arc of a Round dimension where its leader may end.
+std::vector<Vec3> points_of_round(const Dimension& dimension);
 
-/// Lays dimensions over a drawing, layer "dimensions": lines with arrows, extension lines that
-/// begin at the ink that is nearest on them, and numbers along the lines, to be read from below or
-/// from the right. Where arrows or the number have no room within, they stand outside. @cite ISO129
-void lay_dimensions(Drawing& drawing, const Camera& camera, std::span<const Dimension> dimensions,
+/// What a view measures.
+struct ViewDimensions {
+  std::vector<Dimension> list = {};
+  /// The box of what is drawn, model mm, outside of which dimensions stand.
+  Box3 about = {};
+  /// Paper mm beside it that something else takes, such as the line of a section.
+  Margin taken{0};
+};
+
+/// An orthographic view: right, up and to the viewer, unit; paper mm a model mm; where the model's
+/// origin is on paper.
+struct PaperView {
+  Mat3 axes{1};
+  double scale = 1;
+  Vec2 origin{0};
+
+  Vec2 at(Vec3 p) const { return origin + scale * Vec2(axes * p); }
+};
+
+/// Dimensions as lines, arrows and numbers.
+struct LaidDimensions {
+  Layer layer{"dimensions", {}};
+  /// Of all of it, paper mm; empty where there is none.
+  Box2 box = {};
+};
+
+/// Finds the places of dimensions: the shortest lines next to the drawing, the others beyond them
+/// in steps, those of the whole drawing outermost; leaders and angles where they are short. No
+/// number lies on another or on a line, no dimension line on another, as long as 40 steps find such
+/// places. Numbers read from below or from the right. Where arrows or a number have no room within,
+/// they stand outside. `drawn`: extension lines of ends without points begin at its ink; may be
+/// null. @cite ISO129
+LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
+                       const DimensionOptions& style, const Drawing* drawn = nullptr);
+
+/// Lays dimensions over a drawing, layer "dimensions". Tells of numbers that run off the sheet
+/// ("dimensions.off_sheet"). The camera is orthographic.
+void lay_dimensions(Drawing& drawing, const Camera& camera, const ViewDimensions& dimensions,
                     const DimensionOptions& style);
 
 }  // namespace burin

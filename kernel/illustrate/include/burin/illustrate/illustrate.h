@@ -81,7 +81,7 @@ struct IllustrateOptions {
   /// over the drawing.
   std::optional<Annotations> annotations{};
   /// What is measured in the drawing.
-  std::vector<Dimension> dimensions{};
+  ViewDimensions dimensions{};
   /// Whether `Drawing::areas` tells the faces of parts apart, painted or not.
   bool face_areas = false;
 };

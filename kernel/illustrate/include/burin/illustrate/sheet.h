@@ -31,7 +31,7 @@ struct PlacedView {
   bool callouts = false;
   /// The parts as this view alone shows them, cut open; null: as all show them.
   std::shared_ptr<const Scene> scene = {};
-  std::vector<Dimension> dimensions = {};
+  ViewDimensions dimensions = {};
   /// Whether hidden lines are left out, whatever the drawing says.
   bool none_hidden = false;
 };

@@ -9,6 +9,8 @@
 
 #include <bitset>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -56,6 +58,11 @@ struct TurnedExtent {
 /// none, nor are faces that cut a part open. Throws Cancelled. Cost: 192 frames a face at the most.
 /// @cite Gelfand2004
 std::vector<TurnedFace> turned_faces(const Surface& surface, const RunContext& context);
+
+/// The same of one face, which has these triangles; its number is not set. Nothing where it is
+/// none.
+std::optional<TurnedFace> turned_face(const Surface& surface,
+                                      const std::vector<std::uint32_t>& triangles);
 
 /// The extent of triangles about an axis.
 TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,

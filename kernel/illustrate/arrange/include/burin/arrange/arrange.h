@@ -57,6 +57,12 @@ void check_thread_row(const ThreadRow& row);
 /// that cut nothing and of parts that stay whole by custom. Throws UsageError where a selector
 /// names nothing, nothing is left, or a letter stands twice.
 void cut_parts(Scene& scene, Illustration& illustration);
+/// The rows of an illustration with what their faces and edges look like (`FeatureRow::print`), by
+/// which they are found again once the models have changed, once `select_parts` knows which parts
+/// are drawn. Rows that lost their place stay as they are; diagnostics go to `scene`. Throws
+/// UsageError where a row measures nothing. Cost: that of measuring all faces of their parts.
+std::vector<DimensionRow> kept_dimensions(Scene& scene, const Illustration& illustration,
+                                          RunContext& context);
 /// The steps by which a scene comes apart, once `select_parts` knows which parts are drawn: those
 /// of the illustration, or those that are found, as selectors that name the parts. Diagnostics go
 /// to `scene`. Throws UsageError where a selector names nothing.

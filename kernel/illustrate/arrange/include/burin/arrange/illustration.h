@@ -3,6 +3,7 @@
 /// libburin_io makes of options and illustration files. `arrange.h` follows it. Parts are named by
 /// selectors (burin/assembly/select.h).
 
+#include <burin/arrange/dimension_row.h>
 #include <burin/arrange/section.h>
 #include <burin/assembly/items.h>
 #include <burin/base/vec.h>
@@ -137,6 +138,9 @@ struct Illustration {
   bool overall_dimensions = false;
   /// What these are: arranging finds it, before anything is cut or moved.
   std::optional<Box3> whole = {};
+  /// Dimensions of features of parts; `measured`: what arranging makes of them.
+  std::vector<DimensionRow> dimensions = {};
+  std::vector<MeasuredRow> measured = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;

@@ -1,0 +1,225 @@
+#include <burin/converters/values.h>
+
+#include "feature_rows.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+using Kind = DimensionRow::Kind;
+
+constexpr std::array kKinds{Kind::Distance, Kind::Diameter, Kind::Radius,
+                            Kind::Angle,    Kind::Depth,    Kind::Thread};
+constexpr std::array kUnits{"mm", "cm", "m", "inch"};
+constexpr std::array kSigns{"point", "comma"};
+constexpr std::size_t kMostRows = 1000;
+
+bool has_two(Kind kind) { return kind == Kind::Distance || kind == Kind::Angle; }
+
+KeyRow<DimensionRow> kind_row(Kind kind) {
+  Json one = feature_schema(), schema = one;
+  if (has_two(kind)) {
+    schema = list_of(one);
+    schema["minItems"] = 2;
+    schema["maxItems"] = 2;
+  }
+  return {.name = to_string(kind),
+          .schema = std::move(schema),
+          .read =
+              [kind](const KeyedFile& in, const Json& value, const std::string& path,
+                     DimensionRow& to) {
+                to.kind = kind;
+                if (!has_two(kind)) {
+                  to.of = {read_feature(in, value, path)};
+                  return;
+                }
+                if (!value.is_array() || value.size() != 2 || value[0].is_number()) {
+                  in.fail(path,
+                          fmt::format("\"{}\" takes a list of two features", to_string(kind)));
+                }
+                to.of = {read_feature(in, value[0], path + "/0"),
+                         read_feature(in, value[1], path + "/1")};
+              },
+          .write =
+              [kind](const DimensionRow& from) {
+                if (from.kind != kind) return Json();
+                Json list = Json::array();
+                for (const FeatureRow& one : from.of) list.push_back(write_feature(one));
+                return has_two(kind) ? list : list[0];
+              }};
+}
+
+/// A text, or a number with its sign.
+std::string deviation(const KeyedFile& in, const Json& value, const std::string& path) {
+  if (value.is_string()) return in.text(value, path);
+  const double number = in.number(value, path);
+  return number == 0 ? "0" : fmt::format("{:+g}", number);
+}
+
+void read_tolerance(const KeyedFile& in, const Json& value, const std::string& path,
+                    DimensionRow& to) {
+  if (!value.is_array()) {
+    to.tolerance = value.is_number()
+                       ? fmt::format("\u00b1{:g}", in.within(value, path, 0, kLarge, "mm from 0"))
+                       : in.text(value, path);
+    return;
+  }
+  if (value.size() != 2) {
+    in.fail(path, "\"tolerance\" takes text, or two deviations: the upper, then the lower");
+  }
+  to.upper = deviation(in, value[0], path + "/0");
+  to.lower = deviation(in, value[1], path + "/1");
+}
+
+Json tolerance_schema() {
+  const Json one = {{"type", {"string", "number"}}};
+  Json both = list_of(one);
+  both["minItems"] = 2;
+  both["maxItems"] = 2;
+  return {{"description", "H7, ±0.1, or the upper and the lower deviation"},
+          {"anyOf", {one, both}}};
+}
+
+std::vector<KeyRow<DimensionRow>> kind_rows() {
+  std::vector<KeyRow<DimensionRow>> rows;
+  for (const Kind kind : kKinds) rows.push_back(kind_row(kind));
+  return rows;
+}
+
+const std::vector<KeyRow<DimensionRow>>& dimension_rows() {
+  static const std::vector<KeyRow<DimensionRow>> rows = [] {
+    std::vector<KeyRow<DimensionRow>> all = kind_rows();
+    const std::vector<KeyRow<DimensionRow>> others = {
+        {.name = "along",
+         .schema = vector_of("a distance is measured in this direction"),
+         .read = [](const KeyedFile& in, const Json& value, const std::string& path,
+                    DimensionRow& to) { to.along = way_of(in, value, path); },
+         .write =
+             [](const DimensionRow& from) {
+               return from.along ? vector_json(*from.along) : Json();
+             }},
+        {.name = "supplement",
+         .schema = flag("the angle beside that between the features"),
+         .read = [](const KeyedFile& in, const Json& value, const std::string& path,
+                    DimensionRow& to) { to.supplement = in.flag(value, path); },
+         .write = [](const DimensionRow& from) { return from.supplement ? Json(true) : Json(); }},
+        text_row("text", "what is written; {value} is the number", &DimensionRow::text),
+        {.name = "tolerance",
+         .schema = tolerance_schema(),
+         .read = read_tolerance,
+         .write =
+             [](const DimensionRow& from) {
+               if (!from.tolerance.empty()) return Json(from.tolerance);
+               return from.upper.empty() ? Json() : Json{from.upper, from.lower};
+             }},
+        {.name = "decimals",
+         .schema = {{"description", "places after the point (default: the style's)"},
+                    {"type", "integer"},
+                    {"minimum", 0},
+                    {"maximum", 6}},
+         .read =
+             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+               const double places = in.within(value, path, 0, 6, "0 to 6");
+               if (places != std::floor(places)) in.fail(path, "takes a whole number");
+               to.decimals = static_cast<std::uint64_t>(places);
+             },
+         .write =
+             [](const DimensionRow& from) {
+               return from.decimals ? Json(*from.decimals) : Json();
+             }},
+        {.name = "unit",
+         .schema = words_schema("of lengths (default: the style's)", kUnits),
+         .read =
+             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+               to.unit = static_cast<DimensionOptions::Unit>(word_of(in, value, path, kUnits));
+             },
+         .write =
+             [](const DimensionRow& from) {
+               return from.unit ? Json(kUnits[static_cast<std::size_t>(*from.unit)]) : Json();
+             }},
+        {.name = "sign",
+         .schema = words_schema("before the decimals (default: the style's)", kSigns),
+         .read =
+             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+               to.sign = static_cast<DimensionOptions::Sign>(word_of(in, value, path, kSigns));
+             },
+         .write =
+             [](const DimensionRow& from) {
+               return from.sign ? Json(kSigns[static_cast<std::size_t>(*from.sign)]) : Json();
+             }},
+        text_row("view", "the view that has it (default: the first that shows it best)",
+                 &DimensionRow::view),
+    };
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
+  return rows;
+}
+
+std::vector<std::string> kind_names() { return names_of(kind_rows()); }
+
+DimensionRow dimension(const KeyedFile& in, const Json& value, const std::string& path) {
+  check_members(dimension_rows(), in, value, path);
+  int kinds = 0;
+  for (const std::string& kind : kind_names()) kinds += value.contains(kind) ? 1 : 0;
+  if (kinds != 1) {
+    in.fail(path, fmt::format("a dimension has one of {}", fmt::join(kind_names(), ", ")));
+  }
+  DimensionRow row;
+  read_members(dimension_rows(), in, value, path, row);
+  if (row.along && row.kind != Kind::Distance) in.fail(path, "\"along\" is for a distance");
+  if (row.supplement && row.kind != Kind::Angle) in.fail(path, "\"supplement\" is for an angle");
+  if (row.kind == Kind::Thread && row.text.empty()) {
+    in.fail(path, "a thread has \"text\", such as \"M8\": its shape alone does not tell");
+  }
+  row.place = in.place(path);
+  return row;
+}
+
+}  // namespace
+
+void take_dimensions(const KeyedFile& in, const Json& value, const std::string& path,
+                     IllustrationFile& out) {
+  const Json list = value.is_array() ? value : Json::array({value});
+  if (list.size() > kMostRows) in.fail(path, "\"dimensions\" takes 1000 rows at the most");
+  out.request.dimensions.clear();
+  out.request.options.erase("dimensions");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string at = value.is_array() ? fmt::format("{}/{}", path, i) : path;
+    if (list[i].is_object()) {
+      out.request.dimensions.push_back(dimension(in, list[i], at));
+      continue;
+    }
+    const std::string word = in.text(list[i], at);
+    in.check(draw_rows(), "dimensions", {word}, at, "dimensions");
+    out.request.options["dimensions"] = {word};
+  }
+}
+
+Json dimensions_schema() {
+  Json row = object_schema(dimension_rows());
+  row["oneOf"] = either(kind_names());
+  row["dependentRequired"] = {
+      {"along", {"distance"}}, {"supplement", {"angle"}}, {"thread", {"text"}}};
+  Json schema = one_or_list_of({{"anyOf", {value_of_option("dimensions"), std::move(row)}}});
+  schema["anyOf"][1]["maxItems"] = kMostRows;
+  return schema;
+}
+
+Json write_dimensions(const DrawRequest& request) {
+  const std::vector<std::string> words = asked_texts(option_named("dimensions"), request.options);
+  if (request.dimensions.empty()) {
+    return words.empty() ? Json() : written_value(option_named("dimensions"), words.back());
+  }
+  Json list = Json::array();
+  if (!words.empty() && words.back() != "none") list.push_back(words.back());
+  for (const DimensionRow& row : request.dimensions) {
+    list.push_back(write_object(dimension_rows(), row));
+  }
+  return list;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,144 @@
+#include "layout.h"
+
+#include <burin/drawing/font.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace burin {
+namespace detail {
+
+double DimensionGround::taken_in(Vec2 way) const {
+  return std::max(way.x, 0.0) * taken.right + std::max(-way.x, 0.0) * taken.left +
+         std::max(way.y, 0.0) * taken.top + std::max(-way.y, 0.0) * taken.bottom;
+}
+
+Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
+  Conflicts all;
+  for (std::size_t i = 0; i < laid.size(); ++i) {
+    if (i == own) continue;
+    const Conflicts one = conflicts_of(place.print, laid[i].print, 0.9 * step());
+    all.hard += one.hard;
+    all.crossings += one.crossings;
+  }
+  for (const Quad& letters : place.print.letters) {
+    all.hard += overlap(letters, outline) ? 1 : 0;
+    // Extension lines of an oblique view lean over the number between them.
+    for (const Piece& piece : place.print.pieces) {
+      const std::array<Vec2, 2> ends{piece.a, piece.b};
+      const bool extension = piece.stroke == Stroke::Extension;
+      all.hard += extension && overlap(letters, ends) ? 1 : 0;
+    }
+  }
+  return all;
+}
+
+DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int steps,
+                          const DimensionGround& ground) {
+  /// Paper mm that a crossing, and letters on something, are as bad as.
+  constexpr double kCrossing = 10, kHard = 1000;
+  DimensionPlace best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < steps; ++i) {
+    DimensionPlace place = make(i);
+    const Conflicts found = ground.conflicts(place);
+    place.cost += kCrossing * found.crossings + kHard * found.hard;
+    if (place.cost < best.cost) best = std::move(place);
+    if (found.hard == 0) break;
+  }
+  return best;
+}
+
+namespace {
+
+/// The order in which places are looked for: short lengths, long ones, those of the whole drawing,
+/// then what is shown by leaders.
+std::vector<std::size_t> order_of(const std::vector<Dimension>& list, const PaperView& view) {
+  std::vector<std::size_t> order(list.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rank = [&](std::size_t i) {
+    const Dimension& one = list[i];
+    const bool length = one.kind == Dimension::Kind::Length;
+    const int group = length ? (one.overall ? 1 : 0) : one.kind == Dimension::Kind::Angle ? 2 : 3;
+    // Rounded, so that equal lengths are equal on any machine.
+    constexpr double kRounded = 1e-6;  // paper mm
+    const double size =
+        length ? std::round(glm::distance(view.at(one.from), view.at(one.to)) / kRounded) : 0;
+    return std::pair(group, size);
+  };
+  std::ranges::stable_sort(order, {}, rank);
+  return order;
+}
+
+DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
+  switch (one.kind) {
+    case Dimension::Kind::Round:
+      return place_round(one, ground);
+    case Dimension::Kind::Angle:
+      return place_angle(one, ground);
+    case Dimension::Kind::Length:
+      break;
+  }
+  return place_length(one, ground);
+}
+
+std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
+  if (about.empty()) return {};
+  std::vector<Vec2> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    corners.push_back(view.at({(corner & 1) != 0 ? about.max.x : about.min.x,
+                               (corner & 2) != 0 ? about.max.y : about.min.y,
+                               (corner & 4) != 0 ? about.max.z : about.min.z}));
+  }
+  return hull_of(std::move(corners));
+}
+
+}  // namespace
+}  // namespace detail
+
+LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
+                       const DimensionOptions& style, const Drawing* drawn) {
+  using namespace detail;
+  DimensionGround ground{view, style, outline_of(dimensions.about, view), dimensions.taken, drawn};
+  const std::vector<std::size_t> order = order_of(dimensions.list, view);
+  for (const std::size_t i : order) {
+    ground.own = ground.laid.size();
+    ground.laid.push_back(place_of(dimensions.list[i], ground));
+  }
+  // Those that came later may lie on the numbers of those before: these find other places.
+  constexpr int kMostRounds = 4;
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool moved = false;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      ground.own = k;
+      const int hard = ground.conflicts(ground.laid[k]).hard;
+      if (hard == 0) continue;
+      DimensionPlace other = place_of(dimensions.list[order[k]], ground);
+      if (ground.conflicts(other).hard >= hard) continue;
+      ground.laid[k] = std::move(other);
+      moved = true;
+    }
+    if (!moved) break;
+  }
+  std::vector<Layer> layers(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    layers[order[k]] = std::move(ground.laid[k].layer);
+  }
+  LaidDimensions out;
+  for (Layer& layer : layers) {
+    for (Path& path : layer.paths) {
+      for (const Vec2& p : path.points) out.box.add(p);
+      out.layer.paths.push_back(std::move(path));
+    }
+    for (Text& text : layer.texts) {
+      out.box.add(text_box(text));
+      out.layer.texts.push_back(std::move(text));
+    }
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,59 @@
+#pragma once
+// Where one dimension may stand; internal to the module.
+
+#include <burin/annotate/dimensions.h>
+
+#include "letters.h"
+#include "shapes.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace burin::detail {
+
+/// A place of one dimension.
+struct DimensionPlace {
+  Footprint print;
+  Layer layer{"", {}};
+  /// The less the better; crossings come to it.
+  double cost = 0;
+  /// Of a length: across its line, outwards; where the line stands along it, and where it begins
+  /// and ends along itself.
+  Vec2 outwards{0};
+  double level = 0, low = 0, high = 0;
+};
+
+/// All that finding a place looks at.
+struct DimensionGround {
+  const PaperView& view;
+  const DimensionOptions& style;
+  /// About what is drawn, convex, paper mm.
+  std::vector<Vec2> outline;
+  Margin taken{0};
+  const Drawing* drawn = nullptr;
+  /// In the order in which places are looked for; those before `own` stay nearer to the drawing.
+  std::vector<DimensionPlace> laid = {};
+  std::size_t own = 0;
+
+  /// Paper mm from what is measured to the first line, and from line to line.
+  double first() const { return 2.4 * style.height; }
+  double step() const { return 2 * style.height; }
+  /// Paper mm that something else takes in a direction.
+  double taken_in(Vec2 way) const;
+  /// What is wrong with a place.
+  Conflicts conflicts(const DimensionPlace& place) const;
+};
+
+/// The best place of a dimension; nothing is drawn of one that the view shows as a point.
+DimensionPlace place_length(const Dimension& dimension, const DimensionGround& ground);
+DimensionPlace place_round(const Dimension& dimension, const DimensionGround& ground);
+DimensionPlace place_angle(const Dimension& dimension, const DimensionGround& ground);
+
+/// The first of the steps of a place without a hard conflict; of none that with the fewest.
+/// `make`: the place after that many steps.
+DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int steps,
+                          const DimensionGround& ground);
+
+}  // namespace burin::detail

@@ -1,0 +1,353 @@
+#include "row_in_view.h"
+
+#include <burin/arrange/illustration.h>
+
+#include "seen_feature.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+using Kind = DimensionRow::Kind;
+
+/// Sine and share within which a direction lies in the sheet, or across it.
+constexpr double kSquare = 1e-6;
+/// Degrees of a circle beyond which it is a whole one, for leaders.
+constexpr double kWhole = 350;
+
+enum Rank { Best, Second, Hidden, HiddenSecond, Oblique, HiddenOblique };
+
+struct Shown {
+  const MeasuredRow& row;
+  const MeasuringView& view;
+  Vec3 to_viewer() const { return glm::transpose(view.axes)[2]; }
+  bool in_sheet(Vec3 along) const { return std::abs(glm::dot(along, to_viewer())) < kSquare; }
+  bool end_on(Vec3 along) const { return glm::length(glm::cross(along, to_viewer())) < kSquare; }
+  /// Whether the view is along none of the axes of space nor across one, so that what is written
+  /// along them is not taken for what is seen.
+  bool pictorial() const {
+    const Vec3 w = glm::abs(to_viewer());
+    return std::min({w.x, w.y, w.z}) > kSquare;
+  }
+  bool seen(std::size_t feature) const {
+    const auto& surface = row.there[view.scene][feature];
+    return !surface ||
+           shows_feature(*surface, row.of[feature], row.row.of[feature].kind, to_viewer());
+  }
+  bool all_seen() const {
+    for (std::size_t k = 0; k < row.of.size(); ++k) {
+      if (!seen(k)) return false;
+    }
+    return true;
+  }
+};
+
+std::string replaced(std::string text, const std::string& name, const std::string& by) {
+  for (std::size_t at = text.find(name); at != std::string::npos;
+       at = text.find(name, at + by.size())) {
+    text.replace(at, name.size(), by);
+  }
+  return text;
+}
+
+/// Numbers in a text with the sign before their decimals that others have.
+std::string with_sign(std::string text, const DimensionOptions& style) {
+  if (style.sign != DimensionOptions::Sign::Comma) return text;
+  const auto digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '.' && digit(i - 1) && digit(i + 1)) text[i] = ',';
+  }
+  return text;
+}
+
+DimensionOptions style_of(const DimensionRow& row, DimensionOptions style) {
+  style.decimals = row.decimals.value_or(style.decimals);
+  style.unit = row.unit.value_or(style.unit);
+  style.sign = row.sign.value_or(style.sign);
+  return style;
+}
+
+const char* sign_of(const MeasuredRow& row) {
+  const bool sphere = row.of.front().kind == FeatureKind::Sphere;
+  if (row.row.kind == Kind::Diameter) return sphere ? "S\u2300" : "\u2300";
+  if (row.row.kind == Kind::Radius) return sphere ? "SR" : "R";
+  return "";
+}
+
+/// `end_on`: a depth that is seen along the hole has its diameter before it.
+void write(const MeasuredRow& row, const DimensionOptions& sheet, bool end_on, Dimension& out) {
+  const DimensionOptions style = style_of(row.row, sheet);
+  const std::string value =
+      row.row.kind == Kind::Angle ? angle_text(row.value, style) : dimension_text(row.value, style);
+  out.text = row.row.text.empty() ? sign_of(row) + value : replaced(row.row.text, "{value}", value);
+  if (row.row.kind == Kind::Depth && end_on && row.row.text.empty()) {
+    out.text = "\u2300" + dimension_text(2 * row.of.front().radius, style) + " \u21a7 " + value;
+  }
+  if (!row.row.tolerance.empty()) out.text += " " + with_sign(row.row.tolerance, style);
+  out.upper = with_sign(row.row.upper, style);
+  out.lower = with_sign(row.row.lower, style);
+}
+
+std::vector<Vec3> moved(std::vector<Vec3> points, Vec3 by) {
+  for (Vec3& p : points) p += by;
+  return points;
+}
+
+/// Points at which extension lines may begin: of an axis its ends, or where its centre mark ends.
+std::vector<Vec3> starts_of(const Feature& f, Vec3 at, Vec3 along, const Shown& shown) {
+  if (!f.has_axis()) return f.kind == FeatureKind::Sphere ? std::vector{f.point} : f.points;
+  if (shown.end_on(f.along) && shown.view.centre_lines) {
+    const Vec3 side = f.radius * glm::cross(shown.to_viewer(), along);
+    return {at - side, at, at + side};
+  }
+  return {at + (f.low - glm::dot(at - f.point, f.along)) * f.along,
+          at + (f.high - glm::dot(at - f.point, f.along)) * f.along};
+}
+
+/// Along the axes of space both ends are side by side: an axis goes on to where the other feature
+/// has points.
+void reach_beside(const Shown& shown, Dimension& one) {
+  const auto reach = [&](const Feature& axis, std::vector<Vec3>& points,
+                         const std::vector<Vec3>& others) {
+    if (!axis.has_axis()) return;
+    const Vec3 at = axis.point + shown.row.moved;
+    for (const Vec3& p : others) points.push_back(at + glm::dot(p - at, axis.along) * axis.along);
+  };
+  const std::vector<Vec3> from = one.from_points, to = one.to_points;
+  reach(shown.row.of[0], one.from_points, to);
+  reach(shown.row.of[1], one.to_points, from);
+}
+
+std::optional<RowInView> distance_in(const Shown& shown) {
+  const MeasuredDistance& d = shown.row.distance;
+  RowInView out;
+  const bool square = shown.in_sheet(d.along);
+  if (!square && (!shown.pictorial() || shown.end_on(d.along))) return std::nullopt;
+  const Vec3 by = shown.row.moved;
+  out.rank = (square ? Best : Oblique) + (shown.all_seen() ? 0 : square ? Hidden : 1);
+  Dimension& one = out.dimension;
+  one.from = d.from + by;
+  // What lies across the distance is where extension lines begin, not where the line ends.
+  one.to = one.from + d.length * d.along;
+  one.from_points = moved(starts_of(shown.row.of[0], d.from, d.along, shown), by);
+  one.to_points = moved(starts_of(shown.row.of[1], d.to, d.along, shown), by);
+  if (!square) reach_beside(shown, one);
+  return out;
+}
+
+/// The middle of an arc, from its centre, as long as the radius.
+Vec3 middle_of(const Feature& f, Vec3 axis, Vec3 center) {
+  Vec3 sum(0);
+  for (const Vec3& p : f.points) {
+    const Vec3 across = reject(p - center, axis);
+    if (glm::length(across) > 0) sum += glm::normalize(across);
+  }
+  const bool whole =
+      f.turn > kWhole || !(glm::length(sum) > 0.01 * static_cast<double>(f.points.size()));
+  return f.radius * (whole ? any_orthogonal(axis) : glm::normalize(reject(sum, axis)));
+}
+
+/// A leader to a circle across an axis.
+Dimension round(Vec3 center, Vec3 axis, Vec3 out, double sweep) {
+  Dimension one;
+  one.kind = Dimension::Kind::Round;
+  one.from = center;
+  one.to = center + out;
+  one.other = axis;
+  one.sweep = sweep;
+  return one;
+}
+
+/// The end of a turned face that is nearer to the viewer.
+Vec3 near_end(const Feature& f, const Shown& shown) {
+  const bool high = glm::dot(f.along, shown.to_viewer()) >= 0;
+  return f.point + (high ? f.high : f.low) * f.along + shown.row.moved;
+}
+
+/// A leader ends where the rim of a hole, or of what stands out, is seen.
+void end_where_seen(const Shown& shown, Dimension& round) {
+  const Feature& f = shown.row.of.front();
+  const auto& surface = shown.row.there[shown.view.scene].front();
+  if (!surface) return;
+  const double off = 1e-3 * surface->proxy().mesh.bounds().diagonal();
+  const Vec3 ahead = off * (glm::dot(f.along, shown.to_viewer()) < 0 ? -f.along : f.along);
+  for (const Vec3& p : points_of_round(round)) {
+    const Vec3 out = off * glm::normalize(p - round.from), at = p - shown.row.moved;
+    const Vec3 beside = at + ahead + (f.hollow ? -out : out);
+    if (shows_place(*surface, beside, shown.to_viewer())) round.from_points.push_back(p);
+  }
+}
+
+Dimension across_axis(const Feature& f, const Shown& shown) {
+  Dimension one;
+  const Vec3 out = f.radius * glm::normalize(glm::cross(f.along, shown.to_viewer()));
+  const Vec3 low = f.point + f.low * f.along + shown.row.moved,
+             high = f.point + f.high * f.along + shown.row.moved;
+  one.from = 0.5 * (low + high) - out;
+  one.to = 0.5 * (low + high) + out;
+  one.from_points = {low - out, high - out};
+  one.to_points = {low + out, high + out};
+  if (f.kind == FeatureKind::Cone || f.kind == FeatureKind::Turned) {
+    // The largest circle alone is that wide.
+    const auto widest = std::ranges::max_element(
+        f.points, {}, [&](const Vec3& p) { return glm::length(reject(p - f.point, f.along)); });
+    const Vec3 at = f.point + glm::dot(*widest - f.point, f.along) * f.along + shown.row.moved;
+    one.from = at - out;
+    one.to = at + out;
+    one.from_points = {one.from};
+    one.to_points = {one.to};
+  }
+  return one;
+}
+
+std::optional<RowInView> sphere_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  RowInView out;
+  const Vec3 w = shown.to_viewer(), center = f.point + shown.row.moved;
+  out.dimension = round(center, w, middle_of(f, w, f.point), f.turn > kWhole ? 360 : 60);
+  out.rank = shown.seen(0) ? Best : Hidden;
+  return out;
+}
+
+std::optional<RowInView> diameter_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  if (f.kind == FeatureKind::Sphere) return sphere_in(shown);
+  RowInView out;
+  const bool seen = shown.seen(0);
+  if (shown.end_on(f.along) || shown.pictorial()) {
+    const bool oblique = !shown.end_on(f.along);
+    out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point),
+                          f.turn > kWhole ? 360 : f.turn);
+    if (oblique) end_where_seen(shown, out.dimension);
+    out.rank = oblique ? (seen ? Oblique : HiddenOblique)
+               : seen  ? (f.hollow || f.kind == FeatureKind::Circle ? Best : Second)
+                       : HiddenSecond;
+    return out;
+  }
+  if (!shown.in_sheet(f.along)) return std::nullopt;
+  out.dimension = across_axis(f, shown);
+  const bool flat = f.kind == FeatureKind::Circle;
+  out.rank = seen ? (flat ? Second : Best) : Hidden;
+  return out;
+}
+
+/// The tube of a torus where the axis lies in the sheet: a circle on either side of it.
+std::optional<RowInView> tube_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  if (!shown.in_sheet(f.along)) return std::nullopt;
+  RowInView out;
+  const Vec3 w = shown.to_viewer(), side = glm::normalize(glm::cross(f.along, w));
+  // Of the profile: from the middle of the tube, away from the axis and along it.
+  Vec2 sum(0);
+  for (const Vec3& p : f.points) {
+    const double rho = glm::length(reject(p - f.point, f.along));
+    sum += Vec2(rho - f.ring, glm::dot(p - f.point, f.along));
+  }
+  sum = glm::length(sum) > 0 ? glm::normalize(sum) : Vec2(1, 0);
+  const double sense = glm::dot(Vec2(shown.view.axes * side), {1, 1}) < 0 ? -1 : 1;
+  const Vec3 center = f.point + sense * f.ring * side + shown.row.moved;
+  out.dimension = round(center, w, f.radius * (sense * sum.x * side + sum.y * f.along), 60);
+  out.rank = shown.seen(0) ? Best : Hidden;
+  return out;
+}
+
+std::optional<RowInView> radius_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  if (f.kind == FeatureKind::Sphere) return sphere_in(shown);
+  if (f.kind == FeatureKind::Torus) return tube_in(shown);
+  const bool square = shown.end_on(f.along);
+  if (!square && !shown.pictorial()) return std::nullopt;
+  RowInView out;
+  out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
+  if (!square) end_where_seen(shown, out.dimension);
+  const bool seen = shown.seen(0);
+  out.rank = square ? (seen ? Best : Hidden) : (seen ? Oblique : HiddenOblique);
+  return out;
+}
+
+std::optional<RowInView> depth_in(const Shown& shown, bool& end_on) {
+  const Feature& f = shown.row.of.front();
+  const bool seen = shown.seen(0);
+  end_on = !shown.in_sheet(f.along);
+  if (end_on) {
+    std::optional<RowInView> out = diameter_in(shown);
+    if (out && out->rank == Best) out->rank = Second;
+    return out;
+  }
+  RowInView out;
+  Dimension& one = out.dimension;
+  one = across_axis(f, shown);
+  const Vec3 side = 0.5 * (one.to - one.from);
+  const Vec3 low = f.point + f.low * f.along + shown.row.moved,
+             high = f.point + f.high * f.along + shown.row.moved;
+  one.from = low;
+  one.to = high;
+  one.from_points = {low - side, low + side};
+  one.to_points = {high - side, high + side};
+  out.rank = seen ? Best : Hidden;
+  return out;
+}
+
+/// As far out along a side as its feature goes.
+Vec3 far_along(const Feature& f, Vec3 vertex, Vec3 along) {
+  double most = 0;
+  for (const Vec3& p : f.points) most = std::max(most, glm::dot(p - vertex, along));
+  if (f.has_axis()) {
+    for (const double end : {f.low, f.high})
+      most = std::max(most, glm::dot(f.point + end * f.along - vertex, along));
+  }
+  return vertex + (most > 0 ? most : 1) * along;
+}
+
+std::optional<RowInView> angle_in(const Shown& shown) {
+  const MeasuredAngle& a = shown.row.angle;
+  if (!shown.end_on(glm::normalize(glm::cross(a.first, a.second)))) return std::nullopt;
+  RowInView out;
+  Dimension& one = out.dimension;
+  one.kind = Dimension::Kind::Angle;
+  one.from = a.vertex + shown.row.moved;
+  one.to = far_along(shown.row.of[0], a.vertex, a.first) + shown.row.moved;
+  one.other = far_along(shown.row.of[1], a.vertex, a.second) + shown.row.moved;
+  one.from_points = moved(shown.row.of[0].points, shown.row.moved);
+  one.to_points = moved(shown.row.of[1].points, shown.row.moved);
+  out.rank = shown.all_seen() ? Best : Hidden;
+  return out;
+}
+
+}  // namespace
+
+std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
+                                     const DimensionOptions& style) {
+  for (std::size_t k = 0; k < row.of.size(); ++k) {
+    const bool point = row.parts[k] == MeasuredRow::kNoPart;
+    if (!point && !row.there[view.scene][k]) return std::nullopt;  // cut away
+  }
+  const Shown shown{row, view};
+  bool end_on = false;
+  std::optional<RowInView> out;
+  switch (row.row.kind) {
+    case Kind::Distance:
+      out = distance_in(shown);
+      break;
+    case Kind::Diameter:
+    case Kind::Thread:
+      out = diameter_in(shown);
+      break;
+    case Kind::Radius:
+      out = radius_in(shown);
+      break;
+    case Kind::Angle:
+      out = angle_in(shown);
+      break;
+    case Kind::Depth:
+      out = depth_in(shown, end_on);
+      break;
+  }
+  if (out) write(row, style, end_on, out->dimension);
+  return out;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,153 @@
+#include "sheet_dimensions.h"
+
+#include <burin/base/error.h>
+#include <burin/camera/view_grid.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "measured_rows.h"
+#include "overall.h"
+#include "wanted_views.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// Names of views as messages list them.
+std::string names_of(const std::vector<SheetView>& views) {
+  std::vector<std::string> names;
+  for (const SheetView& view : views) names.push_back(view.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+bool is_cut_away(const MeasuredRow& row, std::size_t scene) {
+  for (std::size_t k = 0; k < row.of.size(); ++k) {
+    if (row.parts[k] != MeasuredRow::kNoPart && !row.there[scene][k]) return true;
+  }
+  return false;
+}
+
+/// Of the sheet within its margin: what dimensions may take on both sides of a view together.
+constexpr double kMostRoom = 0.7;
+
+Vec2 most_room(const Illustration& illustration) {
+  if (illustration.sheet.fits) return Vec2(std::numeric_limits<double>::infinity());
+  const Box2 inner = inside(illustration.view.paper, illustration.sheet.margin);
+  return kMostRoom * glm::max(inner.size(), Vec2(0));
+}
+
+void shrink(double& a, double& b, double most) {
+  if (!(a + b > most)) return;
+  const double share = most / (a + b);
+  a *= share;
+  b *= share;
+}
+
+/// What a user may add to see a row.
+std::string advice(const MeasuredRow& row, const DimensionOptions& style) {
+  for (const char* name : {"front", "top", "left", "right", "back", "bottom"}) {
+    const NamedView named = view_in_grid(name);
+    const ViewOptions view{.direction = named.direction, .up = named.up};
+    if (const auto shown = row_in_view(row, {axes_of(view)}, style); shown && shown->rank < 4) {
+      return fmt::format(": add {} to `views`", name);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Margin larger(const Margin& a, const Margin& b) {
+  return {std::max(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom),
+          std::max(a.left, b.left)};
+}
+
+bool holds(const Margin& a, const Margin& b) {
+  constexpr double kRounding = 1e-6;  // paper mm
+  return a.top >= b.top - kRounding && a.right >= b.right - kRounding &&
+         a.bottom >= b.bottom - kRounding && a.left >= b.left - kRounding;
+}
+
+SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
+                                 std::vector<SheetView> views)
+    : style_(illustration.style.dimension),
+      most_(most_room(illustration)),
+      views_(std::move(views)),
+      lists_(views_.size()) {
+  const bool overall = illustration.overall_dimensions && illustration.whole;
+  if (!overall && illustration.measured.empty()) return;
+  if (illustration.view.perspective) {
+    scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
+                          "a perspective view has no dimensions: leave `perspective` out");
+    return;
+  }
+  drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
+  deal(scene, illustration);
+}
+
+void SheetDimensions::deal(Scene& scene, const Illustration& illustration) {
+  for (const MeasuredRow& row : illustration.measured) deal_row(scene, row);
+  const std::vector<OverallShares> shares = share_overall(scene, illustration, drawn_, views_);
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    std::ranges::move(overall_of_view(drawn_, views_[i].as.axes, shares[i], style_),
+                      std::back_inserter(lists_[i]));
+  }
+}
+
+void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
+  const std::string& wanted = row.row.view;
+  const auto is_wanted = [&](const SheetView& view) {
+    return wanted.empty() || view.name == wanted;
+  };
+  if (std::ranges::none_of(views_, is_wanted)) {
+    throw UsageError(fmt::format("{}{}: no view is called '{}': there is {}", row.row.place,
+                                 called(row), wanted, names_of(views_)));
+  }
+  std::optional<RowInView> best;
+  std::size_t where = 0;
+  bool cut = true;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (!is_wanted(views_[i])) continue;
+    cut &= is_cut_away(row, views_[i].as.scene);
+    std::optional<RowInView> shown = row_in_view(row, views_[i].as, style_);
+    if (!shown || (best && shown->rank >= best->rank)) continue;
+    best = std::move(shown);
+    where = i;
+  }
+  if (best) {
+    lists_[where].push_back(std::move(best->dimension));
+    return;
+  }
+  std::string why = "a section takes what it measures away";
+  if (!cut) {
+    why = wanted.empty() ? "no view of the sheet shows it as it is" + advice(row, style_)
+                         : fmt::format("the view {} does not show it as it is", wanted);
+  }
+  scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
+                        fmt::format("{}{} is not drawn: {}", row.row.place, called(row), why));
+}
+
+ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) const {
+  return {lists_[i], drawn_, taken};
+}
+
+Margin SheetDimensions::room(std::size_t i, const ViewDimensions& dimensions, const Box3& extent,
+                             double scale) const {
+  if (dimensions.list.empty()) return dimensions.taken;
+  const Box2 laid = lay_out(dimensions, {views_[i].as.axes, scale, Vec2(0)}, style_).box;
+  const Vec2 low = scale * Vec2(extent.min), high = scale * Vec2(extent.max);
+  Margin room = larger(dimensions.taken, {laid.max.y - high.y, laid.max.x - high.x,
+                                          low.y - laid.min.y, low.x - laid.min.x});
+  shrink(room.left, room.right, most_.x);
+  shrink(room.bottom, room.top, most_.y);
+  return room;
+}
+
+}  // namespace burin::detail
