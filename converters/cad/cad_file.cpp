@@ -29,13 +29,13 @@ CadFormat detect(const Source& source, const std::filesystem::path& path) {
   source.fail("is no CAD file of a known kind; STEP, IGES and BREP are read");
 }
 
-CadFile read_as(CadFormat format, const Source& source, const std::string& encoding,
+CadFile read_as(CadFormat format, const Source& source, const CadReadOptions& options,
                 const OcctSession& session, RunContext& context) {
   switch (format) {
     case CadFormat::Step:
-      return read_step(source, encoding, session, context);
+      return read_step(source, options, session, context);
     case CadFormat::Iges:
-      return read_iges(source, encoding, context);
+      return read_iges(source, options.encoding, context);
     case CadFormat::BrepText:
       return read_brep(source, false, context);
     case CadFormat::BrepBinary:
@@ -46,13 +46,13 @@ CadFile read_as(CadFormat format, const Source& source, const std::string& encod
 
 }  // namespace
 
-CadFile read_cad_file(const std::filesystem::path& path, const std::string& encoding,
+CadFile read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
                       const OcctSession& session, RunContext& context) {
   const Source source(path, context);
   const CadFormat format = detect(source, path);
   CadFile file;
   session.guarded(source.file(),
-                  [&] { file = read_as(format, source, encoding, session, context); });
+                  [&] { file = read_as(format, source, options, session, context); });
   if (file.parts.empty()) {
     source.fail("holds no faces to draw; export the solids or surfaces of the model");
   }

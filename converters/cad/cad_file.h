@@ -3,8 +3,10 @@
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/converters/cad_reader.h>
 #include <burin/forms/charted/chart.h>
 #include <burin/surface/face_colors.h>
+#include <burin/surface/pmi.h>
 
 #include "look.h"
 #include "source.h"
@@ -58,6 +60,8 @@ struct CadPart {
   /// Of each body; none where all bodies of the part have one colour and no face has another.
   std::shared_ptr<const std::vector<CadFaces>> faces = {};
   Placement placement;
+  /// Shared by instances; none where there is nothing, or it was not asked for.
+  std::shared_ptr<const Pmi> pmi = {};
 
   /// The one that all bodies have, else none.
   Appearance color() const;
@@ -74,12 +78,11 @@ struct CadFile {
 };
 
 /// By content, else by suffix. Throws InputError; nothing of OCCT gets out.
-/// `encoding`: of names, empty where the file is to tell.
-CadFile read_cad_file(const std::filesystem::path& path, const std::string& encoding,
+CadFile read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
                       const OcctSession& session, RunContext& context);
 
 /// One reader a format, to be called inside `guarded`.
-CadFile read_step(const Source& source, const std::string& encoding, const OcctSession& session,
+CadFile read_step(const Source& source, const CadReadOptions& options, const OcctSession& session,
                   RunContext& context);
 CadFile read_iges(const Source& source, const std::string& encoding, RunContext& context);
 CadFile read_brep(const Source& source, bool binary, RunContext& context);

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -173,10 +174,10 @@ std::shared_ptr<const Form> form_of(const Models::Made& made, const Placement& p
   return std::make_shared<BrepForm>(body.model, after(place, body.placement));
 }
 
-Scene read_scene(const std::filesystem::path& path, const std::string& encoding,
+Scene read_scene(const std::filesystem::path& path, const CadReadOptions& options,
                  RunContext& context) {
   const OcctSession session;
-  CadFile file = read_cad_file(path, encoding, session, context);
+  CadFile file = read_cad_file(path, options, session, context);
   Scene scene;
   scene.diagnostics = std::move(file.diagnostics);
   Models models(session, path.string(), scene.diagnostics);
@@ -191,15 +192,23 @@ Scene read_scene(const std::filesystem::path& path, const std::string& encoding,
     part.opacity = paint.look.opacity;
     part.face_colors = std::move(paint.faces);
     part.pieces = pieces_of(cad, made, place);
+    if (cad.pmi) part.pmi = {cad.pmi, cad.placement};
     scene.parts.push_back(std::move(part));
   });
+  if (options.pmi && std::ranges::none_of(scene.parts, [](const Part& part) {
+        return static_cast<bool>(part.pmi);
+      })) {
+    scene.diagnostics.add(Severity::Warning, "pmi.none", 1,
+                          "the file carries no dimensions, tolerances or notes to draw; export it "
+                          "as STEP AP242 with PMI");
+  }
   return scene;
 }
 
-FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
+FileInfo inspect(const std::filesystem::path& path, const CadReadOptions& options,
                  RunContext& context) {
   const OcctSession session;
-  CadFile file = read_cad_file(path, encoding, session, context);
+  CadFile file = read_cad_file(path, options, session, context);
   FileInfo info;
   info.file = path.string();
   info.format = std::move(file.format);
@@ -220,6 +229,7 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     p.colors = count_colors(paint.look.color, paint.faces.get());
     p.color = std::move(paint.look.color);
     p.opacity = paint.look.opacity;
+    p.pmi = std::move(part.pmi);
     info.parts.push_back(std::move(p));
   });
   return info;

@@ -19,9 +19,9 @@ namespace burin {
 /// be looked at before anything else is used.
 struct CadLibrary {
   const char* version;
-  Scene (*read)(const std::filesystem::path& path, const std::string& encoding,
+  Scene (*read)(const std::filesystem::path& path, const CadReadOptions& options,
                 RunContext& context);
-  FileInfo (*inspect)(const std::filesystem::path& path, const std::string& encoding,
+  FileInfo (*inspect)(const std::filesystem::path& path, const CadReadOptions& options,
                       RunContext& context);
   std::shared_ptr<const BrepShape> (*read_text)(const std::string& brep, RunContext& context);
   std::shared_ptr<const BrepShape> (*read_shape)(const std::string& bytes, BrepBytes kind,

@@ -9,6 +9,9 @@
 #include "entity_numbers.h"
 #include "long_lists.h"
 #include "occt_session.h"
+#include "pmi/pmi_parts.h"
+#include "pmi/step_pmi.h"
+#include "pmi/step_text.h"
 #include "step_external.h"
 #include "step_names.h"
 #include "tessellated.h"
@@ -98,14 +101,18 @@ std::string closed_early(std::string_view text) {
 /// Where a file ends that was cut off: the line; 0: it was not.
 using EndsAt = std::int64_t;
 
-/// Reads the entities, and of a file that was cut off those before the cut.
-EndsAt parse(STEPCAFControl_Reader& reader, const Source& source, const std::string& encoding,
-             const OcctSession& session, Diagnostics& diagnostics, RunContext& context) {
+/// Reads the entities, and of a file that was cut off those before the cut. `pmi`: what it says of
+/// sizes and tolerances, where that is wanted.
+EndsAt parse(STEPCAFControl_Reader& reader, const Source& source, const CadReadOptions& options,
+             const OcctSession& session, StepPmi& pmi, Diagnostics& diagnostics,
+             RunContext& context) {
   const std::string changed = unique_entity_numbers(source, diagnostics);
   std::string_view bytes = changed.empty() ? source.bytes() : std::string_view(changed);
   bytes.remove_prefix(byte_order_mark(bytes));
-  const std::string decoded = utf8_text(bytes, encoding, diagnostics);
+  const std::string decoded = utf8_text(bytes, options.encoding, diagnostics);
   std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+  // Before lists are shortened that annotations are drawn with.
+  if (options.pmi && may_have_pmi(text)) pmi = read_step_pmi(StepText(text, context));
   const std::string shortened = without_triangle_lists(text);
   if (!shortened.empty()) text = shortened;
   if (parses(reader, text, source, context)) return 0;
@@ -190,7 +197,7 @@ void add_failures(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
 
 }  // namespace
 
-CadFile read_step(const Source& source, const std::string& encoding, const OcctSession& session,
+CadFile read_step(const Source& source, const CadReadOptions& options, const OcctSession& session,
                   RunContext& context) {
   STEPCAFControl_Reader reader;
   reader.SetColorMode(Standard_True);
@@ -202,7 +209,8 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
   reader.SetViewMode(Standard_False);
 
   CadFile file;
-  const EndsAt cut = parse(reader, source, encoding, session, file.diagnostics, context);
+  StepPmi pmi;
+  const EndsAt cut = parse(reader, source, options, session, pmi, file.diagnostics, context);
   refuse_absurd_numbers(*reader.ChangeReader().StepModel(), source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
@@ -214,9 +222,9 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
   add_failures(reader, file.diagnostics);
   if (done) {
     const std::string stem = clean_name(model_stem(source.file()));
-    const CollectOptions options{
+    const CollectOptions collect{
         Roots::Products, stem, numbers_of_products(reader), {}, names_of_solids(reader)};
-    file.parts = collect_parts(document, options, file.diagnostics, context);
+    file.parts = collect_parts(document, collect, file.diagnostics, context);
   }
   if (cut > 0) {
     drop_unbounded(file.parts);
@@ -224,6 +232,9 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
       throw InputError("the file ends early, before any whole face; copy or export it again",
                        source.file(), cut);
     }
+  }
+  if (options.pmi && !file.parts.empty()) {
+    give_pmi(std::move(pmi), reader, file.parts, file.diagnostics);
   }
   report_external(reader, source, file);
   Tessellated(*reader.ChangeReader().StepModel()).report(file, source);

@@ -1,6 +1,8 @@
 #include <burin/base/input_name.h>
 #include <burin/converters/file_info.h>
 
+#include "pmi_info.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -134,6 +136,7 @@ Json to_json(const FileInfo& info) {
     if (p.opacity < 1) part["opacity"] = p.opacity;
     if (p.same_shape_as >= 0) part["same_shape_as"] = p.same_shape_as;
     part.update(to_json(p));
+    if (p.pmi && p.same_shape_as < 0) part["pmi"] = pmi_json(*p.pmi);
     out["parts"].push_back(std::move(part));
   }
   out["diagnostics"] = Json::array();
@@ -192,6 +195,11 @@ std::string to_text(const FileInfo& info) {
     for (std::size_t i = 0; i < info.parts.size(); ++i) {
       line(fmt::format("part {}", i).c_str(), brief(info.parts[i]));
     }
+  }
+  for (const PartInfo& part : info.parts) {
+    if (!part.pmi || part.same_shape_as >= 0) continue;
+    const std::string name = info.parts.size() > 1 ? part.name : std::string();
+    for (const auto& [label, text] : pmi_lines(*part.pmi, name)) line(label.c_str(), text);
   }
   defects();
   return out;

@@ -9,6 +9,7 @@
 #include "add_parts.h"
 #include "arrays.h"
 #include "module.h"
+#include "pmi.h"
 #include "read.h"
 #include "run.h"
 #include "style_text.h"
@@ -294,6 +295,12 @@ void add_scene(py::module_& module) {
       .def(
           "bounds", [](const PyScene& self) { return box_array(self.scene.bounds()); },
           "(2, 3) in mm: least and greatest coordinates.")
+      .def_property_readonly(
+          "pmi", [](const PyScene& self) { return pmi_of(self.scene); },
+          "The dimensions, tolerances, datums and notes of STEP files that were read with "
+          "pmi=True: "
+          "a dict each, as `burin info --json` has it, with its `part`, and how the file shows it: "
+          "`lines` and `filled`, arrays (n, 3) in mm.")
       .def_property_readonly(
           "diagnostics",
           [](const PyScene& self) {

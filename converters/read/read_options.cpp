@@ -64,6 +64,15 @@ std::vector<ReadRow> shared_rows() {
         }},
        CadFiles | Meshes | Splines,
        "STEP, IGES, OBJ, STL and IRIT files"},
+      {{{.option = {.name = "pmi",
+                    .meaning = "draw the dimensions, tolerances, datums and notes that a STEP file "
+                               "carries (AP242); burin info lists them",
+                    .takes = Switch{}},
+         .group = kLook,
+         .also = {"annotations", "gd&t", "gdt", "tolerances", "mbd", "fcf", "datums"}},
+        [](ReadOptions& o, const Asked& a) { o.pmi = std::get<bool>(a.value); }},
+       CadFiles,
+       "STEP files"},
       {{{.option =
              {.name = "heal",
               .meaning =

@@ -201,7 +201,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.spelling = spelling;
   draft.looks = request.looks;
   apply(draw_rows(), request.options, spelling, draft);
-  plan.finds_view = !request.has("view") && plan.views.empty();
+  plan.finds_view = !request.has("view") && plan.views.empty() && plan.saved_view.empty();
   leave_out_ground(draft.named.style, plan);
   check_style(plan.style);
   read_images(plan.style, plan.illustrate.images);
@@ -211,6 +211,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
     if (part.style) follow_whole(request, plan, *part.style);
   }
   plan.read = make_read_options(request.options, spelling);
+  plan.read.pmi |= !plan.saved_view.empty();
   plan.asked_keys = asked_keys(request, draft.named.style, plan);
   if (!draft.named.text.empty()) {
     plan.written_keys.push_back(written_in(draft.named, builtin_style("technical"), plan.style));

@@ -154,6 +154,14 @@ std::vector<RequestRow<Draft>> view_rows() {
          d.plan.view.direction = named.direction;
          d.plan.view.up = named.up;
        }},
+      {{.option = {.name = "saved_view",
+                   .meaning = "look as a view does that a STEP file saves, with the annotations "
+                              "that it shows; burin info lists them",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME",
+        .also = {"pmi view", "annotation view", "model view", "mbd view", "camera name"}},
+       [](Draft& d, const Asked& a) { d.plan.saved_view = a.text(); }},
       {{.option = {.name = "up",
                    .meaning = "up on the sheet (default 0,0,1; for top and bottom 0,1,0)",
                    .takes = Direction{},

@@ -70,7 +70,9 @@ class Planner {
     sheet_.add(Vec2(0));
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
     layers_ = by_color(ink_layers(drawing));
-    areas_ = painted_areas(drawing).size();
+    // Letters of annotations have lines around them.
+    areas_ = static_cast<std::size_t>(std::ranges::count_if(
+        painted_areas(drawing), [](const Area* area) { return area->role != "pmi"; }));
     stroked_ = std::ranges::any_of(
         drawing.layers, [](const Layer& layer) { return layer.name.starts_with("stroke"); });
   }

@@ -73,6 +73,7 @@ std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string>
     if (part.pieces.empty() || !wanted) continue;
     const auto whole = std::make_shared<const Part>(std::move(part));
     part = part_of(whole, whole->pieces.front());
+    part.pmi = whole->pmi;  // once
     for (std::size_t k = 1; k < whole->pieces.size(); ++k) {
       others.push_back(part_of(whole, whole->pieces[k]));
       from.push_back(i);

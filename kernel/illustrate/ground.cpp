@@ -1,6 +1,8 @@
 #include <burin/illustrate/ground.h>
 #include <burin/tone/catalogue.h>
 
+#include "pmi/lay_pmi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,8 +31,10 @@ Style style_in_grid(Style style, Vec3 to_viewer) {
 Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view) {
-  const auto plain = [&scene, part_styles](const Mat3& axes) {
-    return drawn_bounds(scene, part_styles, axes);
+  const auto plain = [&scene, part_styles, pmi = style.pmi, view](const Mat3& axes) {
+    Box3 box = drawn_bounds(scene, part_styles, axes);
+    box.add(detail::pmi_bounds(scene, part_styles, pmi, view, axes));
+    return box;
   };
   if (!style.shadow.ground) return plain;
   // How the sheet lies, whatever is on it: a perspective view asks for axes that are none of it.
@@ -40,7 +44,7 @@ Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
       },
       {.direction = view.direction, .up = view.up});
   const Vec3 to_light = tone::to_light(level, style.tone);
-  const double ground = plain(Mat3(1)).min.z;
+  const double ground = drawn_bounds(scene, part_styles).min.z;
   if (!std::isfinite(ground) || !casts_ground_shadow(to_light, level.direction())) return plain;
   std::vector<PartStyle> casting(part_styles.begin(), part_styles.end());
   casting.resize(scene.parts.size());

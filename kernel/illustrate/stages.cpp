@@ -9,12 +9,14 @@
 #include <burin/tone/catalogue.h>
 #include <burin/verify/verify.h>
 
+#include "all_strokes.h"
 #include "compose.h"
 #include "fill/fills.h"
 #include "fill/hatch_areas.h"
 #include "isophote_lines.h"
 #include "on_sheet.h"
 #include "parts_before.h"
+#include "pmi/lay_pmi.h"
 #include "shadow/ground_shadow.h"
 #include "shadow/light_view.h"
 #include "tell.h"
@@ -161,28 +163,6 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
   if (shadows) verify.areas->shadows = tone::to_light(camera, style.tone);
   return verify;
 }
-
-// Strokes of all hatchings in a row, with no copy where there is one alone.
-class AllStrokes {
- public:
-  explicit AllStrokes(const HatchedParts::Hatchings& hatchings) {
-    if (hatchings.size() == 1) {
-      strokes_ = hatchings.front()->strokes.strokes;
-      return;
-    }
-    for (const auto& one : hatchings) {
-      const std::vector<Curve3>& strokes = one->strokes.strokes;
-      joined_.insert(joined_.end(), strokes.begin(), strokes.end());
-    }
-    strokes_ = joined_;
-  }
-
-  std::span<const Curve3> strokes() const { return strokes_; }
-
- private:
-  std::vector<Curve3> joined_;
-  std::span<const Curve3> strokes_;
-};
 
 // Leaves out the parts that a form of a plug-in made which failed; how many.
 std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateOptions& options) {
@@ -354,6 +334,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (options.field) name_own_field(drawing);
   labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
                      style, part_styles, options, context);
+  lay_pmi(scene, part_styles, camera, trees->solid(), style, drawing);
   context.end_stage();
   return drawing;
 }
@@ -393,7 +374,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   if (options.annotations && labels.whole.empty()) labels.whole = labels.areas;
-  drawing.areas = std::move(labels.areas);
+  std::vector<Area> letters = std::exchange(drawing.areas, std::move(labels.areas));
   hatch_areas(scene, part_styles, "", drawing, context);
   if (paints(part_styles) || hatches(part_styles)) paint_areas(scene, part_styles, drawing);
   if (style.shadow.cast) shade_areas(style, drawing.areas);
@@ -401,6 +382,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   if (labels.shadow && !labels.shadow->rings.empty()) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
+  std::ranges::move(letters, std::back_inserter(drawing.areas));
   lay_dimensions(drawing, camera, options.dimensions, style.dimension);
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,

@@ -25,6 +25,26 @@ class Files(unittest.TestCase):
         self.assertGreater(len(scene.parts), 1)
         self.assertTrue(all(part.assembly for part in scene.parts))
 
+    def test_annotations_of_a_step_file(self):
+        lines = """#90001=DRAUGHTING_CALLOUT('Size.1',(#90002));
+#90002=TESSELLATED_ANNOTATION_OCCURRENCE('',(),#90003);
+#90003=TESSELLATED_CURVE_SET('',#90004,((1,2,3,1)));
+#90004=COORDINATES_LIST('',3,((0.,0.,0.),(9.,0.,0.),(9.,9.,0.)));
+#90005=SHAPE_ASPECT('','',#4,.T.);
+#90006=FLATNESS_TOLERANCE('Flat.1','',#90007,#90005);
+#90007=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.2),#4458);
+#90008=DRAUGHTING_MODEL_ITEM_ASSOCIATION('','',#90006,#90001,#90001);
+"""
+        head, end, tail = (SAMPLES / "pedestal.step").read_text().rpartition("ENDSEC;")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "bearing.step")
+            path.write_text(head + lines + end + tail)
+            self.assertEqual(burin.Scene.read(path).pmi, [])
+            (item,) = burin.Scene.read(path, pmi=True).pmi
+        self.assertEqual((item["kind"], item["text"], item["value"], item["part"]), ("tolerance", "flatness 0.2", 0.2, 0))
+        self.assertEqual([line.tolist() for line in item["lines"]], [[[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 0, 0]]])
+        self.assertEqual(item["filled"], [])
+
     def test_bounds_of_a_function(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "half.implicit")

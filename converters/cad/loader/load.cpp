@@ -31,13 +31,13 @@ bool is_cad_suffix(const std::filesystem::path& path) {
 bool is_cad_content(std::string_view head) { return cad_format_of(head).has_value(); }
 
 Scene read_cad(const std::filesystem::path& path, RunContext& context,
-               const std::string& encoding) {
-  return library().read(path, encoding, context);
+               const CadReadOptions& options) {
+  return library().read(path, options, context);
 }
 
 FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context,
-                     const std::string& encoding) {
-  return library().inspect(path, encoding, context);
+                     const CadReadOptions& options) {
+  return library().inspect(path, options, context);
 }
 
 std::shared_ptr<const BrepShape> read_brep_text(const std::string& brep, RunContext& context) {

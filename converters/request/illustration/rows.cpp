@@ -114,12 +114,23 @@ Json write_parts_list(const IllustrationFile& file) {
 
 const std::vector<IllustrationKey>& illustration_keys() {
   static const std::vector<IllustrationKey> keys = {
-      {"view.from", "view"},        {"view.up", "up"},         {"view.perspective", "perspective"},
-      {"view.scale", "scale"},      {"view.center", "center"}, {"paper.size", "paper"},
-      {"paper.margin", "margin"},   {"hidden", "hidden"},      {"centre_lines", "centre_lines"},
-      {"tolerance", "tolerance"},   {"seed", "seed"},          {"callouts", "callouts"},
-      {"legend", "legend"},         {"views", "views"},        {"hidden_views", "hidden_views"},
+      {"view.from", "view"},
+      {"view.up", "up"},
+      {"view.perspective", "perspective"},
+      {"view.scale", "scale"},
+      {"view.center", "center"},
+      {"paper.size", "paper"},
+      {"paper.margin", "margin"},
+      {"hidden", "hidden"},
+      {"centre_lines", "centre_lines"},
+      {"tolerance", "tolerance"},
+      {"seed", "seed"},
+      {"callouts", "callouts"},
+      {"legend", "legend"},
+      {"views", "views"},
+      {"hidden_views", "hidden_views"},
       {"projection", "projection"},
+      {"view.saved", "saved_view"},
   };
   return keys;
 }

@@ -73,6 +73,7 @@ Scene read_scene(const IllustrationFile& illustration, RunContext& context) {
     for (std::size_t i = 0; i < one.parts.size(); ++i) {
       one.parts[i].form = found->second.placers[i].at(input.place);
       for (Thread& thread : one.parts[i].threads) thread = placed(thread, input.place);
+      one.parts[i].pmi.move(input.place);
       all.parts.push_back(std::move(one.parts[i]));
     }
   }

@@ -247,6 +247,7 @@ void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
     std::shared_ptr<const Form>& form = scene.parts[i].form;
     form = placers.try_emplace(form.get(), form).first->second.at({Mat3(1), moves[i]});
     for (Thread& thread : scene.parts[i].threads) thread = placed(thread, {Mat3(1), moves[i]});
+    scene.parts[i].pmi.move({Mat3(1), moves[i]});
   }
 }
 

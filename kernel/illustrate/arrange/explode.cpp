@@ -6,6 +6,7 @@
 
 #include "drawn_shape.h"
 #include "measured_rows.h"
+#include "saved_view.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>
@@ -162,6 +163,7 @@ void add_title_block(Illustration& illustration) {
 
 void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
   select_parts(scene, illustration);
+  detail::take_saved_view(scene, illustration);
   keep_room_for_centre_lines(illustration);
   if (illustration.overall_dimensions)
     illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);

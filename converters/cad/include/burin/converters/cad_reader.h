@@ -20,10 +20,17 @@ bool is_cad_suffix(const std::filesystem::path& path);
 /// Whether the first bytes of a file can only be a CAD file's, whatever it is called.
 bool is_cad_content(std::string_view head);
 
+struct CadReadOptions {
+  /// Of names that a file does not say it of, as iconv knows it; empty: it is found out.
+  std::string encoding = {};
+  /// Whether `Part::pmi` has the dimensions, tolerances, datums and notes of STEP files. Cost: one
+  /// more walk over the text, a fortieth of the time of reading.
+  bool pmi = false;
+};
+
 /// One part for each leaf of the assembly, whatever number of solids, free shells and what free
 /// faces sew into it has (`Part::pieces`, where these are several), in the order of the file, with
 /// name, path in the assembly, colour, opacity and placement; instances share one shape.
-/// `encoding`: of names that a file does not say it of, as iconv knows it; empty: it is found out.
 /// Lengths in mm whatever the file's unit. An exception of OCCT, or a signal raised in it, ends in
 /// an InputError that names the file and what to do; what could not be read of a file that holds
 /// more becomes a diagnostic. Progress and cancel as far as OCCT allows: converters/cad/README.md
@@ -31,12 +38,12 @@ bool is_cad_content(std::string_view head);
 /// first CAD file is read: OCCT's exchange libraries take 65 ms to load. From several threads one
 /// file is read at a time, for OCCT's readers share state.
 Scene read_cad(const std::filesystem::path& path, RunContext& context,
-               const std::string& encoding = {});
+               const CadReadOptions& options = {});
 
 /// Reads and measures: counts, areas and volumes of the exact surfaces, which parts share a shape.
 /// Throws InputError as `read_cad` does.
 FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context,
-                     const std::string& encoding = {});
+                     const CadReadOptions& options = {});
 
 /// A shape in memory, as OCCT writes it in text or binary, in its place (a rigid motion, a mirror
 /// among them): one part without a name, whatever its solids, its faces and edges numbered from 0

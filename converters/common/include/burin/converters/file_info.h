@@ -4,9 +4,11 @@
 #include <burin/base/box.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/vec.h>
+#include <burin/surface/pmi.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +48,8 @@ struct PartInfo {
   double area = 0;
   double volume = 0;
   Box3 bounds = {};
+  /// Its dimensions, tolerances, datums and notes; shared by parts of one shape.
+  std::shared_ptr<const Pmi> pmi = {};
   bool closed() const { return boundary_edges == 0; }
 };
 
@@ -88,6 +92,8 @@ struct FileInfo {
 
 /// A few lines for a reader.
 std::string to_text(const FileInfo& info);
+/// {"items": [...], "views": [...]}: the kind, the text and the numbers of each, without its lines.
+std::string to_json(const Pmi& pmi);
 /// {"format": "burin-info", "version": 1, "files": [...]}, numbers in full precision.
 std::string to_json(std::span<const FileInfo> files);
 

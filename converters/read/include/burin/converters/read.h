@@ -45,6 +45,8 @@ struct ReadOptions {
   /// Of names in files that do not say in which encoding these are, as iconv knows it; empty: it is
   /// found out.
   std::string encoding = {};
+  /// CAD files: whether dimensions, tolerances, datums and notes that they carry are read.
+  bool pmi = false;
   /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
   /// OpenSCAD files are, those of meshes not.
   std::optional<bool> heal = {};

@@ -868,6 +868,10 @@
       <translation>schlicht</translation>
     </message>
     <message>
+      <source>pmi</source>
+      <translation>Fertigungsangaben</translation>
+    </message>
+    <message>
       <source>portrait</source>
       <translation>hoch</translation>
     </message>

@@ -6,6 +6,7 @@
 #include <burin/drawing/format_options.h>
 #include <burin/feature/options.h>
 #include <burin/field/options.h>
+#include <burin/illustrate/pmi.h>
 #include <burin/options/declared.h>
 #include <burin/stroke/options.h>
 #include <burin/tone/options.h>
@@ -173,6 +174,7 @@ struct Style {
   SheetStyle sheet{};
   CalloutOptions callout{};
   DimensionOptions dimension{};
+  PmiOptions pmi{};
   /// Keys "line.dash" and "line.gap".
   DashOptions dashes{};
   /// Of the options that formats declare (`format_options`, `added_formats`): keys "svg.flatten",

@@ -6,6 +6,7 @@
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/surface/face_colors.h>
+#include <burin/surface/pmi.h>
 #include <burin/surface/shape_measure.h>
 #include <burin/surface/surface.h>
 #include <burin/surface/thread.h>
@@ -123,6 +124,9 @@ struct Part {
   std::string plugin_form = {};
   /// Its screw threads that are no part of its form, by what the input says of them.
   std::vector<Thread> threads = {};
+  /// Its dimensions, tolerances, datums and notes, where the input has some and they were asked
+  /// for.
+  PlacedPmi pmi = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.

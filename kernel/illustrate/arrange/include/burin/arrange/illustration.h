@@ -124,6 +124,9 @@ struct Illustration {
   /// Parts that all sections leave whole; absent: as each says, or by custom.
   std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
+  /// The view of this name that a file saves (`Pmi::views`) is taken, with the annotations that it
+  /// shows; empty: `view`.
+  std::string saved_view = {};
   /// The view may be turned to where most parts of an exploded one are seen.
   bool finds_view = false;
   /// Names of several views of one sheet ("front", or a direction "1,-1,1"); empty: `view`.
