@@ -146,15 +146,15 @@ class Laying {
     std::string more = "; another view shows them";
     if (!better_.empty()) more += ", such as `saved_view " + better_ + "`";
     if (turned_ > 0) {
-      diagnostics.add(Severity::Warning, "pmi.turned_away", turned_,
-                      fmt::format("{} annotations are seen from behind, from their edge or upside "
-                                  "down and were left out{}",
-                                  turned_, more));
+      diagnostics.add(
+          Severity::Warning, "pmi.turned_away", turned_,
+          fmt::format("annotations seen from behind, from their edge or upside down were "
+                      "left out ({}){}",
+                      turned_, more));
     }
     if (covered_ > 0) {
-      diagnostics.add(
-          Severity::Warning, "pmi.covered", covered_,
-          fmt::format("{} annotations are behind parts and were left out{}", covered_, more));
+      diagnostics.add(Severity::Warning, "pmi.covered", covered_,
+                      fmt::format("annotations behind parts were left out ({}){}", covered_, more));
     }
     if (unseen_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.not_shown", unseen_,

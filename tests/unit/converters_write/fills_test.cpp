@@ -48,7 +48,8 @@ TEST(FilledAreas, OfSvgLieBelowAllLinesWithTheirSource) {
   EXPECT_NE(svg.find("data-face=\"3\" data-tone=\"0\""), std::string::npos);
   EXPECT_LT(svg.find("#0000ff"), svg.find("<g id=\"a\""));
   const std::string glass = written(filled(0.25), "svg");
-  EXPECT_NE(glass.find("fill=\"#0000ff\" fill-opacity=\"0.25\" data-face"), std::string::npos)
+  EXPECT_NE(glass.find("fill=\"#0000ff\" fill-opacity=\"0.25\" data-part=\"1\" data-face"),
+            std::string::npos)
       << glass;
 }
 

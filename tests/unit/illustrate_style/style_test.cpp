@@ -37,15 +37,16 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(takes_text(key).empty());
     // Colours that are those of the sheet.
-    const std::set<std::string> empty{"line.color", "hatch.color", "shadow.color", "fill.ink",
-                                      "fill.hatch_color"};
+    const std::set<std::string> empty{"line.color",       "hatch.color", "shadow.color", "fill.ink",
+                                      "fill.hatch_color", "pmi.color",   "pmi.view"};
     const bool may_be_empty = empty.contains(key.name);
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 13u + 10u + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ + 3u /*shadow*/ +
-                             3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ + 6u /*callout*/ +
-                             4u /*dimension*/ + 4u /*svg*/ + 1u /*json*/);
+  EXPECT_EQ(keys.size(), 15u /*line*/ + 11u /*feature*/ + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ +
+                             3u /*shadow*/ + 3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ +
+                             6u /*callout*/ + 5u /*dimension*/ + 4u /*pmi*/ + 4u /*svg*/ +
+                             1u /*json*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -335,8 +336,8 @@ TEST(Style, ColorsMayBeThoseOfTheSheet) {
     set_style_key(s, key, "red");
     EXPECT_NO_THROW(check_style(s)) << "colours have names";
     set_style_key(s, key, "reddish");
-    EXPECT_TRUE(
-        contains(usage_message([&] { check_style(s); }), "black, white or nothing, not 'reddish'"))
+    EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
+                         "such as steelblue or nothing, not 'reddish'"))
         << key;
   }
 }

@@ -25,7 +25,7 @@ _POINTER = b"version https://git-lfs.github.com/spec/"
 # The rows of converters/read/read_options.cpp.
 _READING = set(
     "input_format define openscad_timeout csg as_ object recompute freecad_timeout encoding heal bounds mesher iso inside smooth specks volume_degree "
-    "interpolate raw raw_skip".split()
+    "interpolate raw raw_skip pmi".split()
 )
 
 
