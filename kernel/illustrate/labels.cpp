@@ -4,12 +4,14 @@
 #include <burin/base/part_ranks.h>
 #include <burin/feature/kind_borders.h>
 #include <burin/illustrate/view_probe.h>
+#include <burin/mesh/chord_error.h>
 #include <burin/visibility/sight_ray.h>
 
 #include "fill/fills.h"
 #include "regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -122,10 +124,34 @@ class Looker {
       return pane.distance >= end.distance + (first ? same : -same);
     });
     if (panes.size() <= behind) return std::nullopt;
-    std::ranges::sort(panes, {},
-                      [](const Hit& pane) { return std::pair(pane.distance, pane.where.part); });
+    sort(panes, ray.direction, same);
     const Hit& pane = panes[behind];
     return ViewHit{.part = pane.where.part, .point = {pane.where.face, pane.bary}};
+  }
+
+  /// From the viewer on; those that lie on each other, as far as triangles tell, by rank: they
+  /// would change places from ray to ray.
+  void sort(std::vector<Hit>& panes, Vec3 direction, double same) const {
+    constexpr double kGrazing = 0.05;
+    const auto off = [&](const Hit& hit) {
+      const ProxyMesh& proxy =
+          *wanted_.occluders->proxies()[static_cast<std::size_t>(hit.where.part)];
+      const double error =
+          proxy.tolerance > 0 ? proxy.tolerance : chord_error(proxy, hit.where.face);
+      const double cosine = std::abs(glm::dot(proxy.mesh.normal(hit.where.face), direction));
+      return error / std::max(cosine, kGrazing);
+    };
+    std::ranges::sort(panes, {},
+                      [](const Hit& pane) { return std::pair(pane.distance, pane.where.part); });
+    for (std::size_t pass = 1; pass < panes.size(); ++pass) {
+      for (std::size_t i = 0; i + pass < panes.size(); ++i) {
+        Hit &a = panes[i], &b = panes[i + 1];
+        const bool apart = b.distance - a.distance > same + off(a) + off(b);
+        if (!apart && precedes(wanted_.occluders->ranks(), b.where.part, a.where.part)) {
+          std::swap(a, b);
+        }
+      }
+    }
   }
 
   std::vector<Area> areas(const ViewProbe& probe) const {

@@ -123,6 +123,9 @@ TEST(Areas, OfPanesThatTouchAreAllThere) {
   EXPECT_EQ(twice.stats.verify->wrong_patches, 0);
   EXPECT_NEAR(size_of_part(twice, 0), 4 * 400, 1e-6);
   EXPECT_NEAR(size_of_part(twice, 1), 4 * 600, 1e-6);
+  std::size_t rings = 0;
+  for (const Area& area : twice.areas) rings += area.rings.size();
+  EXPECT_LE(rings, 5u) << "one order of panes all over what they share";
 }
 
 // The referee of one pane alone has nothing near the middle of the drawing.
