@@ -151,7 +151,7 @@ Mat3 axes_of(const ViewOptions& view) {
 }
 
 std::string name_of(const ViewOptions& view) {
-  const std::string principal = principal_name(view.direction);
+  std::string principal = principal_name(view.direction);
   if (!principal.empty()) return principal;
   for (const char* name : {"iso", "dimetric", "trimetric"}) {
     const Vec3 d = named_view(name).direction;
