@@ -59,6 +59,9 @@ TEST_F(DimensionFiles, SayWhatRowsTake) {
             std::string::npos);
   EXPECT_NE(refused(R"({"radius": {"part": "box", "face": 0}})").find("a plane"),
             std::string::npos);
+  EXPECT_NE(refused("5").find("\"dimensions\" takes \"overall\" and rows such as"),
+            std::string::npos)
+      << err_;
   EXPECT_NE(refused(R"("all")").find("\"dimensions\" takes none or overall"), std::string::npos)
       << err_;
 }

@@ -193,6 +193,10 @@ void take_dimensions(const KeyedFile& in, const Json& value, const std::string& 
       out.request.dimensions.push_back(dimension(in, list[i], at));
       continue;
     }
+    if (!list[i].is_string()) {
+      in.fail(at,
+              "\"dimensions\" takes \"overall\" and rows such as {\"diameter\": [58, 30.5, 5]}");
+    }
     const std::string word = in.text(list[i], at);
     in.check(draw_rows(), "dimensions", {word}, at, "dimensions");
     out.request.options["dimensions"] = {word};
