@@ -1,9 +1,10 @@
 #include "turned_groups.h"
 
+#include <burin/mesh/cut_faces.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -28,27 +29,9 @@ bool on_axis(const Axis& axis, const Axis& other, const TurnedExtent& extent, do
   return off(middle - 0.5 * reach) <= near && off(middle + 0.5 * reach) <= near;
 }
 
-struct CutPlane {
-  Vec3 point, normal;
-};
-
-/// The planes of sections that a surface has.
-std::vector<CutPlane> cut_planes(const ProxyMesh& proxy) {
-  std::map<std::int32_t, CutPlane> planes;
-  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
-    if (!proxy.is_cut(i)) continue;
-    const auto plane = proxy.cut_plane[static_cast<std::size_t>(proxy.face_region[i])];
-    planes.try_emplace(
-        plane, CutPlane{proxy.mesh.positions[proxy.mesh.triangles[i][0]], proxy.mesh.normal(i)});
-  }
-  std::vector<CutPlane> out;
-  for (const auto& [number, plane] : planes) out.push_back(plane);
-  return out;
-}
-
 /// How many sections run along the axis of a group.
-int cuts_along(const TurnedGroup& group, const std::vector<CutPlane>& cuts, double near) {
-  return static_cast<int>(std::ranges::count_if(cuts, [&](const CutPlane& cut) {
+int cuts_along(const TurnedGroup& group, const std::vector<CutFace>& cuts, double near) {
+  return static_cast<int>(std::ranges::count_if(cuts, [&](const CutFace& cut) {
     const bool through = std::abs(glm::dot(cut.normal, group.axis.point - cut.point)) < near;
     return through && (group.sphere || std::abs(glm::dot(cut.normal, group.axis.along)) < kAlong);
   }));
@@ -94,7 +77,7 @@ class Grouping {
   }
 
   std::vector<TurnedGroup> take() {
-    const std::vector<CutPlane> cuts = cut_planes(proxy_);
+    const std::vector<CutFace> cuts = cut_faces(proxy_);
     std::erase_if(groups_, [&](TurnedGroup& group) {
       const int along = cuts_along(group, cuts, near_);
       group.cut_along = along > 0;

@@ -17,9 +17,6 @@ constexpr int kMostBehind = 4;
 // Cosine to a ray under which the way from a triangle to its surface is not followed: along the
 // surface it would be long.
 constexpr double kGrazing = 0.05;
-// Of the diagonal: places so near each other are one, for the occluder too. More would lose what
-// lies right behind, where planes of two files cross in their rounding.
-constexpr double kSamePlace = 1e-10;
 // Multiples of the occluder's resolution: coordinates that went through single precision (STL) once
 // in each part.
 constexpr double kStored = 4;
@@ -125,7 +122,7 @@ ViewProbe exact_view_probe(const Occluders& occluders, const ExactDepths& depths
     if (!first) return first;
     const Vec3 origin = first->position, view = -camera.to_viewer(origin);
     const FaceRef where{first->part, first->point.face};
-    const double reach = depths.reach(where, view), step = kSamePlace * solid.diagonal();
+    const double reach = depths.reach(where, view), step = solid.tie();
     ViewHit best = *first;
     FaceRef nearest = where;
     std::optional<double> least;

@@ -95,9 +95,8 @@ class Looker {
   /// What a part shows first of itself counts, not its other walls. What is solid ends the view.
   /// Walls in which parts touch are met all, so that none behind another is lost.
   std::optional<ViewHit> pane(const Occluder& all, Vec2 at, std::size_t behind) const {
-    constexpr double kSamePlace = 1e-10;  // of the diagonal, as rays have it
     const ViewRay ray = sight_ray(camera_, at, all);
-    const double same = kSamePlace * all.diagonal();
+    const double same = all.tie();
     const std::vector<double>& ranks = wanted_.occluders->ranks();
     Hit end{.where = {}, .distance = std::numeric_limits<double>::infinity()};  // what is solid
     std::vector<Hit> panes;  // the foremost hit of each

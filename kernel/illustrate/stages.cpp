@@ -277,8 +277,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   Diagnostics said;
   const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
   context.begin_stage(RunStage::Build);
-  const Solid solid{surfaces, transparent_ones(part_styles),
-                    part_styles.meeting_ranks(sizes_of(surfaces))};
+  const auto sizes = sizes_.get(
+      surfaces, [&] { return std::make_shared<const std::vector<double>>(sizes_of(surfaces)); });
+  const Solid solid{surfaces, transparent_ones(part_styles), part_styles.meeting_ranks(*sizes)};
   const std::shared_ptr<const Occluders> trees = occluders_.get(solid, [&] {
     return std::make_shared<Occluders>(solid.surfaces, solid.transparent, solid.ranks, context);
   });

@@ -123,6 +123,7 @@ class Stages {
                    const IllustrateOptions& options, RunContext& context);
 
   RealisedParts realised_;
+  Kept<Surfaces, const std::vector<double>> sizes_;
   Kept<Solid, Occluders> occluders_;
   HatchedParts hatched_;
   Kept<View, Lines> lines_;

@@ -1,6 +1,7 @@
 #include <burin/base/nearest_along.h>
 #include <burin/measure/feature.h>
 #include <burin/mesh/nearest_side.h>
+#include <burin/surface/face_samples.h>
 #include <burin/surface/turned_faces.h>
 
 #include "fit.h"
@@ -20,29 +21,6 @@ using detail::Sample;
 
 /// Frames of a face that are asked, about.
 constexpr std::size_t kFrames = 100;
-
-std::vector<std::uint32_t> triangles_of(const ProxyMesh& proxy, std::int32_t number) {
-  std::vector<std::uint32_t> out;
-  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
-    if (!proxy.is_cut(i) && proxy.face_source(i) == number) out.push_back(i);
-  }
-  return out;
-}
-
-std::vector<Sample> samples_of(const Surface& surface,
-                               const std::vector<std::uint32_t>& triangles) {
-  std::vector<Sample> out;
-  const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / kFrames);
-  for (std::size_t i = 0; i < triangles.size(); i += step) {
-    for (int corner = 0; corner < 3; ++corner) {
-      Vec3 bary(0.1);
-      bary[corner] = 0.8;
-      const Frame frame = surface.frame(surface.lift({triangles[i], bary}));
-      out.push_back({frame.position, frame.normal});
-    }
-  }
-  return out;
-}
 
 std::vector<Vec3> corners_of(const TriMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   std::set<std::uint32_t> vertices;
@@ -153,11 +131,17 @@ Feature point_feature(Vec3 point) {
 
 std::optional<Feature> face_feature(const Surface& surface, std::int32_t number,
                                     const RunContext& context) {
+  const auto faces = triangles_of_faces(surface.proxy());
+  const auto face = faces.find(number);
+  if (face == faces.end()) return std::nullopt;
+  return detail::feature_of(surface, number, face->second, context);
+}
+
+Feature detail::feature_of(const Surface& surface, std::int32_t number,
+                           const std::vector<std::uint32_t>& triangles, const RunContext& context) {
   const ProxyMesh& proxy = surface.proxy();
-  const std::vector<std::uint32_t> triangles = triangles_of(proxy, number);
-  if (triangles.empty()) return std::nullopt;
   context.check();
-  const std::vector<Sample> samples = samples_of(surface, triangles);
+  const std::vector<Sample> samples = face_samples(surface, triangles, kFrames);
   const std::vector<Vec3> corners = corners_of(proxy.mesh, triangles);
   Feature out = detail::fit_surface(samples, detail::kExactFit);
   if (out.kind == FeatureKind::Other && !surface.exact()) {

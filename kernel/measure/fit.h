@@ -1,19 +1,19 @@
 #pragma once
 // Planes, circles, cylinders and others through points with normals; internal to the module.
 
+#include <burin/base/run_context.h>
 #include <burin/base/vec.h>
 #include <burin/measure/feature.h>
+#include <burin/surface/face_samples.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace burin::detail {
 
-/// A point of a surface with its normal.
-struct Sample {
-  Vec3 position{0}, normal{0};
-};
+using Sample = SurfaceSample;
 
 /// How far points may lie beside what they are taken for, of their size; and normals, radians.
 struct FitTolerance {
@@ -35,6 +35,10 @@ std::optional<Feature> fit_torus(std::span<const Sample> samples, Vec3 point, Ve
 
 /// A sphere or a cylinder through corners of triangles whose normals are not those of the surface.
 Feature fit_facets(std::span<const Vec3> corners, std::span<const Vec3> normals);
+
+/// The feature that a face is which has these triangles, at least one. Throws Cancelled.
+Feature feature_of(const Surface& surface, std::int32_t number,
+                   const std::vector<std::uint32_t>& triangles, const RunContext& context);
 
 /// The straight line or circle that has these points.
 Feature fit_edge(std::span<const Vec3> points);

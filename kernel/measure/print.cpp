@@ -1,5 +1,7 @@
 #include <burin/measure/print.h>
 
+#include "fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -79,9 +81,6 @@ FeatureIndex::FeatureIndex(const Surface& surface, bool edges, const RunContext&
   const ProxyMesh& proxy = surface.proxy();
   const Box3 box = proxy.mesh.bounds();
   std::map<std::int32_t, std::set<std::int32_t>> beside, along_edge;
-  for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
-    if (!proxy.is_cut(t)) beside.try_emplace(proxy.face_source(t));
-  }
   for (HalfEdge h = 0; h < static_cast<HalfEdge>(proxy.topology.opposite.size()); ++h) {
     const auto k = static_cast<std::size_t>(h);
     const HalfEdge other = proxy.topology.opposite[k];
@@ -95,8 +94,8 @@ FeatureIndex::FeatureIndex(const Surface& surface, bool edges, const RunContext&
     if (next != own) beside[own].insert(next);
   }
   std::map<std::int32_t, FeatureKind> kinds;
-  for (const auto& [number, ignored] : beside) {
-    const Feature f = *face_feature(surface, number, context);
+  for (const auto& [number, triangles] : triangles_of_faces(proxy)) {
+    const Feature f = detail::feature_of(surface, number, triangles, context);
     kinds[number] = f.kind;
     faces_.push_back({number, print_of(f, box)});
   }

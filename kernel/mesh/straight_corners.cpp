@@ -26,7 +26,7 @@ constexpr double kOneFace = 0.99985;
 /// Times how far corners may be off: a triangle that is higher leans by less than a degree for it.
 constexpr double kKnown = 200;
 /// Of a difference of squares, at most, by the rounding of doubles.
-constexpr double kRounding = 1e-14;
+constexpr double kOfDoubles = 1e-14;
 /// Triangles around a corner, at most; and passes, each of which takes every other corner of a row.
 constexpr std::size_t kMostAround = 64;
 constexpr int kMostPasses = 8;
@@ -99,7 +99,7 @@ class StraightCorners {
         // The product of the arms with the sine and the cosine between them.
         const double whole = squared[i] * squared[j], aside = whole - along * along;
         const double line = squared[i] + squared[j] - 2 * along;
-        if (aside <= off_ * off_ * line + kRounding * whole) return true;
+        if (aside <= off_ * off_ * line + kOfDoubles * whole) return true;
       }
     }
     return false;

@@ -1,3 +1,4 @@
+#include <burin/surface/face_samples.h>
 #include <burin/surface/tangent_basis.h>
 #include <burin/surface/turned_faces.h>
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 
@@ -31,34 +31,15 @@ constexpr double kPitch = 1e-3;
 
 using Motion = Eigen::Matrix<double, 6, 1>;  // of translation and rotation
 
-struct Sample {
-  Vec3 position, normal;
-};
-
-std::vector<Sample> samples_of(const Surface& surface,
-                               const std::vector<std::uint32_t>& triangles) {
-  std::vector<Sample> out;
-  const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / kPoints);
-  for (std::size_t i = 0; i < triangles.size(); i += step) {
-    // Near all corners: the middles of a fan, as of a cone, lie on one circle, which is on a ball.
-    for (int corner = 0; corner < 3; ++corner) {
-      Vec3 bary(0.1);
-      bary[corner] = 0.8;
-      const Frame frame = surface.frame(surface.lift({triangles[i], bary}));
-      out.push_back({frame.position, frame.normal});
-    }
-  }
-  return out;
-}
-
 Vec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// The motions that keep points on their surface, about `middle` and in units of `size`.
 class Slippage {
  public:
-  Slippage(const std::vector<Sample>& samples, Vec3 middle, double size, const Speeds& speeds) {
+  Slippage(const std::vector<SurfaceSample>& samples, Vec3 middle, double size,
+           const Speeds& speeds) {
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-    for (const Sample& s : samples) {
+    for (const SurfaceSample& s : samples) {
       const Vec3 turned = glm::cross((s.position - middle) / size, s.normal);
       Motion row;
       row << s.normal.x, s.normal.y, s.normal.z, turned.x, turned.y, turned.z;
@@ -169,11 +150,11 @@ TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,
 
 std::optional<TurnedFace> turned_face(const Surface& surface,
                                       const std::vector<std::uint32_t>& triangles) {
-  const std::vector<Sample> samples = samples_of(surface, triangles);
+  const std::vector<SurfaceSample> samples = face_samples(surface, triangles, kPoints);
   Vec3 middle(0);
-  for (const Sample& s : samples) middle += s.position / static_cast<double>(samples.size());
+  for (const SurfaceSample& s : samples) middle += s.position / static_cast<double>(samples.size());
   double size = 0;
-  for (const Sample& s : samples) size = std::max(size, glm::distance(s.position, middle));
+  for (const SurfaceSample& s : samples) size = std::max(size, glm::distance(s.position, middle));
   // A strip of two triangles tells nothing.
   if (samples.size() < 3 || !(size > 0)) return std::nullopt;
   const Slippage slippage(samples, middle, size, surface.exact() ? kExact : kEstimated);
@@ -187,7 +168,7 @@ std::optional<TurnedFace> turned_face(const Surface& surface,
     return std::nullopt;
   }
   double outward = 0;
-  for (const Sample& s : samples) {
+  for (const SurfaceSample& s : samples) {
     const Vec3 from_axis = out.sphere ? s.position - out.axis.point : out.axis.to(s.position);
     outward += glm::dot(from_axis, s.normal);
   }
@@ -197,13 +178,8 @@ std::optional<TurnedFace> turned_face(const Surface& surface,
 }
 
 std::vector<TurnedFace> turned_faces(const Surface& surface, const RunContext& context) {
-  const ProxyMesh& proxy = surface.proxy();
-  std::map<std::int32_t, std::vector<std::uint32_t>> faces;
-  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
-    if (!proxy.is_cut(i)) faces[proxy.face_source(i)].push_back(i);
-  }
   std::vector<TurnedFace> out;
-  for (const auto& [number, triangles] : faces) {
+  for (const auto& [number, triangles] : triangles_of_faces(surface.proxy())) {
     context.check();
     if (auto face = turned_face(surface, triangles)) {
       face->face = number;

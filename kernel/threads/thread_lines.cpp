@@ -1,3 +1,4 @@
+#include <burin/mesh/cut_faces.h>
 #include <burin/surface/tangent_basis.h>
 #include <burin/threads/thread_lines.h>
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -40,29 +40,12 @@ constexpr double kMostGap = 0.5;
 /// Pieces of a straight line in which its ends are looked for, and of a circle.
 constexpr int kPieces = 64, kRound = 180;
 
-struct CutPlane {
-  Vec3 point, normal;
-};
-
-std::vector<CutPlane> cut_planes(const ProxyMesh& proxy) {
-  std::map<std::int32_t, CutPlane> planes;
-  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size() && !proxy.cut_plane.empty(); ++i) {
-    if (!proxy.is_cut(i)) continue;
-    planes.try_emplace(
-        proxy.cut_plane[static_cast<std::size_t>(proxy.face_region[i])],
-        CutPlane{proxy.mesh.positions[proxy.mesh.triangles[i][0]], proxy.mesh.normal(i)});
-  }
-  std::vector<CutPlane> out;
-  for (const auto& [number, plane] : planes) out.push_back(plane);
-  return out;
-}
-
 /// The lines of one thread.
 class Lines {
  public:
   /// `thin`: the radius of the thin lines.
   Lines(const Thread& thread, double thin, std::int32_t part, const OwnRays& rays,
-        const std::vector<CutPlane>& cuts, const Camera& camera, std::vector<Curve3>& out)
+        const std::vector<CutFace>& cuts, const Camera& camera, std::vector<Curve3>& out)
       : thread_(thread),
         thin_(thin),
         beyond_(kChamfer * std::abs(thin - thread.thin())),
@@ -74,7 +57,7 @@ class Lines {
 
   void draw() {
     outlines();
-    for (const CutPlane& cut : cuts_) in_cut(cut);
+    for (const CutFace& cut : cuts_) in_cut(cut);
     draw_end(thread_.begin, -1, thread_.open_begin);
     draw_end(thread_.end, 1, thread_.open_end);
   }
@@ -164,7 +147,7 @@ class Lines {
   }
 
   /// The place of a cut face at a point.
-  std::optional<OwnPlace> on_cut(const CutPlane& cut, Vec3 point) const {
+  std::optional<OwnPlace> on_cut(const CutFace& cut, Vec3 point) const {
     const double over = kOver * thin_;
     auto place = rays_.first(point + over * cut.normal, -cut.normal, 2 * over);
     if (!place || !rays_.proxy().is_cut(static_cast<std::uint32_t>(place->triangle))) {
@@ -174,7 +157,7 @@ class Lines {
     return place;
   }
 
-  void in_cut(const CutPlane& cut) {
+  void in_cut(const CutFace& cut) {
     const double slope = glm::dot(cut.normal, thread_.axis.along);
     if (std::abs(slope) < kAlong) return along_cut(cut);
     round_in_cut(cut, slope);
@@ -182,7 +165,7 @@ class Lines {
 
   /// A cut along the axis: two lines, and where the thread ends within the part a piece from each
   /// to the modelled cylinder.
-  void along_cut(const CutPlane& cut) {
+  void along_cut(const CutFace& cut) {
     const double off = glm::dot(cut.normal, cut.point - thread_.axis.point);
     const double thin = thin_, modelled = thread_.modelled;
     if (std::abs(off) >= thin) return;
@@ -208,7 +191,7 @@ class Lines {
   }
 
   /// Three quarters of what a cut across the axis meets.
-  void round_in_cut(const CutPlane& cut, double slope) {
+  void round_in_cut(const CutFace& cut, double slope) {
     const double height = glm::dot(cut.normal, cut.point - thread_.axis.point) / slope;
     round(LineClass::Thread, height, [&](Vec3 way) -> std::optional<OwnPlace> {
       const Vec3 out = thin_ * way;
@@ -289,7 +272,7 @@ class Lines {
   double thin_, beyond_;
   std::int32_t part_;
   const OwnRays& rays_;
-  const std::vector<CutPlane>& cuts_;
+  const std::vector<CutFace>& cuts_;
   const Camera& camera_;
   std::vector<Curve3>& out_;
 };
@@ -314,7 +297,7 @@ std::vector<Curve3> thread_lines(std::span<const DrawnThreads> threads,
     const ProxyMesh& proxy = *proxies[part];
     if (threads[part].threads.empty() || proxy.mesh.triangles.empty()) continue;
     const OwnRays rays(proxy, context);
-    const std::vector<CutPlane> cuts = cut_planes(proxy);
+    const std::vector<CutFace> cuts = cut_faces(proxy);
     for (const Thread& thread : threads[part].threads) {
       context.check();
       if (thread.face < 0 || !(thread.end > thread.begin)) continue;

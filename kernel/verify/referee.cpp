@@ -182,16 +182,13 @@ double Referee::excess(const Point& p, const Sight& s) const {
 template <class Visit>
 void Referee::each_sheet(Vec2 paper, const Visit& visit) const {
   constexpr int kMostSheets = 16;
-  // Of the diagonal, as the occluder tells hits apart: faces of two files that lie on each other
-  // are as near as their rounding.
-  constexpr double kBehind = 1e-10;
   const ViewRay ray = sight_ray(camera_, paper, *occluder_);
   double from = 0;
   for (int i = 0; i < kMostSheets; ++i) {
     const auto hit = occluder_->first_hit(ray.origin, ray.direction, from,
                                           std::numeric_limits<double>::infinity());
     if (!hit || !visit(describe(*hit, paper))) return;
-    from = hit->distance + kBehind * occluder_->diagonal();
+    from = hit->distance + occluder_->tie();
   }
 }
 

@@ -36,7 +36,8 @@ constexpr double kUnitResolution = 0x1.0p-22;
 // not the same on every processor). So no triangle that doubles meet is missed.
 constexpr double kMargin = 0x1.0p-18;
 // Share of the scene's diagonal within which places on the line of sight are one: far above what
-// doubles are rounded by, far below what can be seen.
+// doubles are rounded by, far below what can be seen. More would lose what lies right behind, where
+// planes of two files cross in their rounding.
 constexpr double kTie = 1e-10;
 
 // A part as Embree's callbacks see it.
@@ -353,6 +354,8 @@ bool Occluder::occluded_by(Vec3 origin, Vec3 direction, double near, double far,
 double Occluder::resolution() const { return kUnitResolution * impl_->frame.half; }
 
 double Occluder::diagonal() const { return impl_->diagonal; }
+
+double Occluder::tie() const { return kTie * impl_->diagonal; }
 
 Vec3 Occluder::center() const { return impl_->frame.center; }
 

@@ -1,6 +1,7 @@
 #include "layout.h"
 
 #include <burin/drawing/font.h>
+#include <burin/planar/convex_hull.h>
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
                                (corner & 2) != 0 ? about.max.y : about.min.y,
                                (corner & 4) != 0 ? about.max.z : about.min.z}));
   }
-  return hull_of(std::move(corners));
+  return convex_hull(std::move(corners));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "shapes.h"
 
+#include <burin/planar/convex_hull.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -95,27 +97,6 @@ Quad grown(const Quad& quad, double by) {
           quad[3] - by * (along - up)};
 }
 
-std::vector<Vec2> hull_of(std::vector<Vec2> points) {
-  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  // Below from left to right, then above and back.
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t first = hull.size();
-    for (const Vec2& p : points) {
-      while (hull.size() >= first + 2 &&
-             cross2(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::ranges::reverse(points);
-  }
-  return hull;
-}
-
 bool overlap(std::span<const Vec2> a, std::span<const Vec2> b) {
   if (a.size() < 2 || b.size() < 2) return false;
   return !parted_by(a, b) && !parted_by(b, a);
@@ -125,7 +106,7 @@ double exit_of(Vec2 a, Vec2 b, Vec2 way, std::span<const Vec2> outline) {
   // It is inside for as long as `way` t is in the outline less the segment, which is convex.
   std::vector<Vec2> less;
   for (const Vec2& p : outline) less.push_back(p - a), less.push_back(p - b);
-  less = hull_of(std::move(less));
+  less = convex_hull(std::move(less));
   if (less.size() < 3) return 0;
   double out = std::numeric_limits<double>::infinity(), in = -out;
   for (std::size_t i = 0; i < less.size(); ++i) {

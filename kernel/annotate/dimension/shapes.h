@@ -25,9 +25,6 @@ Quad quad_of(Vec2 low, Vec2 along, double width, double height);
 /// Larger by so much on all sides.
 Quad grown(const Quad& quad, double by);
 
-/// The corners of the convex outline, anticlockwise.
-std::vector<Vec2> hull_of(std::vector<Vec2> points);
-
 /// Convex outlines that share more than a border.
 bool overlap(std::span<const Vec2> a, std::span<const Vec2> b);
 

@@ -59,8 +59,7 @@ SheetOptions sheet_with_tables(const Camera::ExtentFn& extent, const Illustratio
     if (annotations_fit(over, style, paper, sheet.margin)) break;
     const Margin needed = annotation_margin(over, style, paper);
     Margin& m = sheet.margin;
-    const Margin more(std::max(m.top, needed.top), std::max(m.right, needed.right),
-                      std::max(m.bottom, needed.bottom), std::max(m.left, needed.left));
+    const Margin more = larger(m, needed);
     const bool grows =
         more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
     m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);

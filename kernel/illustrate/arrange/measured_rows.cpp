@@ -35,12 +35,27 @@ constexpr double kFine = 2e-4;
 /// Of the same: how far a point may lie from the feature that it names.
 constexpr double kNear = 1e-2;
 
-std::shared_ptr<const Surface> realised(const Form& form, double diagonal, RunContext& context) {
-  RealiseOptions options;
-  if (diagonal > 0) options.tolerance = kFine * diagonal;
-  options.curvature = false;
-  return form.realise(options, context);
-}
+/// Forms as they are realised to be measured, each once.
+class RealisedForms {
+ public:
+  /// `diagonal`: of what is drawn, model mm.
+  RealisedForms(double diagonal, RunContext& context) : context_(context) {
+    if (diagonal > 0) options_.tolerance = kFine * diagonal;
+    options_.curvature = false;
+  }
+
+  /// Throws as Form::realise.
+  const std::shared_ptr<const Surface>& surface(const std::shared_ptr<const Form>& form) {
+    std::shared_ptr<const Surface>& made = made_[form];
+    if (!made) made = form->realise(options_, context_);
+    return made;
+  }
+
+ private:
+  RealiseOptions options_;
+  RunContext& context_;
+  std::map<std::shared_ptr<const Form>, std::shared_ptr<const Surface>> made_;
+};
 
 /// A feature that is not found again.
 class LostPlace : public UsageError {
@@ -55,7 +70,8 @@ class Measurer {
       : scene_(scene),
         drawn_(drawn_parts(scene, illustration.illustrate.part_styles)),
         diagonal_(drawn_bounds(scene, illustration.illustrate.part_styles).diagonal()),
-        context_(context) {}
+        context_(context),
+        forms_(diagonal_, context) {}
 
   MeasuredRow measured(const DimensionRow& row, std::size_t number) {
     MeasuredRow out{row, number};
@@ -70,10 +86,8 @@ class Measurer {
     return out;
   }
 
-  std::shared_ptr<const Surface> surface(std::size_t part) {
-    std::shared_ptr<const Surface>& made = made_[part];
-    if (!made) made = realised(*scene_.parts[part].form, diagonal_, context_);
-    return made;
+  const std::shared_ptr<const Surface>& surface(std::size_t part) {
+    return forms_.surface(scene_.parts[part].form);
   }
 
   /// A row by the numbers that its features have now, with what they look like.
@@ -253,20 +267,21 @@ class Measurer {
   std::vector<bool> drawn_;
   double diagonal_;
   RunContext& context_;
-  std::map<std::size_t, std::shared_ptr<const Surface>> made_;
+  RealisedForms forms_;
   std::map<std::pair<std::size_t, bool>, std::unique_ptr<FeatureIndex>> indices_;
 };
 
 /// The surfaces of features in a scene; null where nothing of one is left.
 std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
-                                                           const MeasuredRow& row, double diagonal,
+                                                           const MeasuredRow& row,
+                                                           RealisedForms& forms,
                                                            RunContext& context) {
   std::vector<std::shared_ptr<const Surface>> out;
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     std::shared_ptr<const Surface>& one = out.emplace_back();
     if (row.parts[k] == MeasuredRow::kNoPart) continue;
     try {
-      one = realised(*scene.parts[row.parts[k]].form, diagonal, context);
+      one = forms.surface(scene.parts[row.parts[k]].form);
     } catch (const GeometryError&) {
       continue;  // nothing of the part is left, or it cannot be drawn, which is told elsewhere
     }
@@ -318,12 +333,12 @@ void measure_rows(Scene& scene, Illustration& illustration, RunContext& context)
 
 void look_at_cuts(const Scene& scene, Illustration& illustration, RunContext& context) {
   if (illustration.sections.empty()) return;
-  const double diagonal = scene.bounds().diagonal();
+  RealisedForms forms(scene.bounds().diagonal(), context);
   const bool whole = std::ranges::all_of(illustration.sections, &Section::own_view);
   for (MeasuredRow& row : illustration.measured) {
-    if (!whole) row.there[0] = surfaces_there(scene, row, diagonal, context);
+    if (!whole) row.there[0] = surfaces_there(scene, row, forms, context);
     for (const SectionView& view : illustration.section_views) {
-      row.there.push_back(surfaces_there(*view.scene, row, diagonal, context));
+      row.there.push_back(surfaces_there(*view.scene, row, forms, context));
     }
   }
 }

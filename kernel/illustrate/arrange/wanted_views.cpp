@@ -3,6 +3,8 @@
 #include <burin/base/error.h>
 #include <burin/illustrate/illustrate.h>
 
+#include "sheet_dimensions.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -88,8 +90,7 @@ void keep_room_for_mark(const SectionView& section, const CalloutOptions& style,
   const double room = reach.beyond + reach.along;
   const Vec3 along = glm::abs(axes_of(view.view) * along_cut(view.view, section));
   const double x = room * along.x, y = room * along.y;
-  Margin& m = view.room;
-  m = Margin(std::max(m.top, y), std::max(m.right, x), std::max(m.bottom, y), std::max(m.left, x));
+  view.room = larger(view.room, {y, x, y, x});
 }
 
 /// In model mm, from one side of what is drawn to the other.

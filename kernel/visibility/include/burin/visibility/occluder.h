@@ -70,6 +70,9 @@ class Occluder {
   double resolution() const;
   /// Diagonal of the scene's bounds in model mm.
   double diagonal() const;
+  /// Model mm along a ray within which hits are at one place, so that ranks decide: 1e-10 of the
+  /// diagonal.
+  double tie() const;
   /// Of these bounds, model mm.
   Vec3 center() const;
 
