@@ -43,10 +43,16 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
 /// Whether a detail of parts shows nothing of them.
 bool shows_none(const PlacedView& view, const Drawing& drawing) {
   if (view.shows.empty()) return false;
+  const auto shows = [&](const SourceId& source) {
+    return std::ranges::find(view.shows, static_cast<std::size_t>(source.part)) != view.shows.end();
+  };
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
-      const auto part = static_cast<std::size_t>(path.source.part);
-      if (path.visible && std::ranges::find(view.shows, part) != view.shows.end()) return false;
+      if (!path.visible) continue;
+      if (shows(path.source)) return false;
+      for (const PathSource& other : path.also) {
+        if (shows(other.source)) return false;
+      }
     }
   }
   return true;
