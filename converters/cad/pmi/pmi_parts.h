@@ -17,7 +17,8 @@ namespace burin {
 bool may_have_pmi(std::string_view text);
 
 /// Gives each item to the part whose faces it is about, else to that of its product; all instances
-/// of a part share what it has. What belongs to no part, and what was not understood, is told.
+/// of a part share what it has. A warning names what belongs to no part, and what was not
+/// understood.
 void give_pmi(StepPmi pmi, STEPCAFControl_Reader& reader, std::vector<CadPart>& parts,
               Diagnostics& diagnostics);
 

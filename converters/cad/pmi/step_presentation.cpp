@@ -83,7 +83,8 @@ void StepPresentation::visit(std::int64_t number, int depth, const StepAxes& pla
   const auto visit_all = [&](const StepValue& value, const StepAxes& at) {
     for (const std::int64_t one : value.references()) visit(one, depth + 1, at, shown);
   };
-  // Room for text that another program is to fill in, and terminators that lines have beside them.
+  // Placeholders of text that another program fills in, and terminators that lines have beside
+  // them.
   if (entity.as("ANNOTATION_PLACEHOLDER_OCCURRENCE") != nullptr) return;
   if (const StepRecord* callout =
           entity.as_one_of({"DRAUGHTING_CALLOUT", "LEADER_DIRECTED_CALLOUT", "ANNOTATION_FILL_AREA",

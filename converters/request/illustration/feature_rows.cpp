@@ -47,7 +47,8 @@ const char* name_of(FeatureKind kind) {
   return kFeatureNames[static_cast<std::size_t>(found - kFeatureKinds.begin()) % 9];
 }
 
-/// To nine digits: without the noise of sums, and far below what is told apart.
+/// To nine digits: rounding of sums is left out, and two places that differ for a user stay
+/// different.
 double kept_digits(double value) {
   return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr) + 0.0;
 }
