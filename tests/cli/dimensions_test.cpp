@@ -78,6 +78,20 @@ TEST_F(DimensionFiles, DrawRowsBesideOverallOnes) {
   EXPECT_EQ(drawn.size(), 6U);  // and three of all of it
 }
 
+TEST_F(DimensionFiles, SayWhereASmallSheetHasNoRoomForThem) {
+  std::string rows = "\"overall\"";
+  for (int i = 0; i < 12; ++i) {
+    rows += R"(, {"distance": [{"part": "box", "face": [0, 15, 10]}, {"point": [)";
+    rows += fmt::format("{}, 0, 0]}}]}}", 10 + 2 * i);
+  }
+  folder_.write("small.burin.json", fmt::format(R"({{"burin": "illustration", "style": "outline",
+    "parts": [{{"file": "box.off", "name": "box"}}], "views": ["front", "top", "iso"],
+    "paper": {{"size": [70, 60], "margin": 5}}, "dimensions": [{}]}})",
+                                                rows));
+  EXPECT_EQ(run("draw @/small.burin.json -o @/a.json"), 2) << err_;
+  EXPECT_NE(err_.find("no room for the views with their dimensions"), std::string::npos) << err_;
+}
+
 TEST_F(DimensionFiles, AreKeptInAFileThatExtendsTheirs) {
   const std::string row =
       R"([{"distance": [{"face": [0, 15, 10]}, {"face": [40, 15, 10]}], "tolerance": "H7"}])";

@@ -225,8 +225,15 @@ class SheetPlanner {
     };
     ViewGrid grid;
     for (int round = 0; round < kMostRounds; ++round) {
-      grid = arranged(illustration_.view.scale);
-      if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
+      try {
+        grid = arranged(illustration_.view.scale);
+        if (illustration_.sheet.iso_scale) grid = arranged(standard_scale(grid.scale));
+      } catch (const UsageError&) {
+        if (round == 0) throw;
+        throw UsageError(
+            "the sheet has no room for the views with their dimensions: measure less, name fewer "
+            "`views`, or give a larger `paper`");
+      }
       bool has_room = true;
       for (std::size_t i = 0; i < views_.size(); ++i) {
         Margin needed = measured_->room(i, dimensions[i], shown[i], grid.scale);
