@@ -210,7 +210,7 @@ auto made_here(const Path& path, const OpenscadOptions& options, detail::Opensca
 
 /// The parts, by Burin.
 std::optional<ReadResult> parts_here(const Path& path, const OpenscadOptions& options,
-                                     detail::OpenscadPrograms& programs, detail::Shapes shapes,
+                                     detail::OpenscadPrograms& programs, detail::TreeShapes shapes,
                                      Diagnostics& why, RunContext& context) {
   return made_here(path, options, programs, why, context, [&](const Program& program) {
     return detail::scene_of_tree(program.tree, program.calls, program.text, path, options, shapes,
@@ -241,7 +241,7 @@ ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunCo
   Diagnostics why;
   detail::OpenscadPrograms programs(options.timeout);
   if (options.implicit) return functions_in(path, options, programs, context);
-  if (auto made = parts_here(path, options, programs, detail::Shapes::Shared, why, context)) {
+  if (auto made = parts_here(path, options, programs, detail::TreeShapes::Shared, why, context)) {
     return std::move(*made);
   }
   Scene scene = repair_parts(rendered(path, options, programs, context), path, context,
@@ -281,7 +281,7 @@ FileInfo inspect_openscad(const Path& path, const OpenscadOptions& options, RunC
     return info;
   }
   auto made =
-      parts_here(path, options, programs, detail::Shapes::Meshes, info.diagnostics, context);
+      parts_here(path, options, programs, detail::TreeShapes::Meshes, info.diagnostics, context);
   if (!made) made = {repair_parts(rendered(path, options, programs, context), path, context)};
   info.diagnostics.append(made->scene.diagnostics);
   for (const Part& part : made->scene.parts) {

@@ -63,7 +63,7 @@ void add_marks(const TreeParts& planned, const std::vector<bool>& made,
 
 ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                          const std::filesystem::path& path, const OpenscadOptions& options,
-                         Shapes shapes, RunContext& context) {
+                         TreeShapes shapes, RunContext& context) {
   ReadResult out;
   Scene& scene = out.scene;
   report_undefined_places(tree, scene.diagnostics);
@@ -81,7 +81,7 @@ ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::str
     if (solid.empty()) continue;
     Part part = look_of(of, path, scene);
     const Placement& place = stored[i].place;
-    if (shapes == Shapes::Meshes) {
+    if (shapes == TreeShapes::Meshes) {
       part.form =
           form_of(placed(solid, place), Facets::Flat, part.name, scene.diagnostics, context);
     } else {

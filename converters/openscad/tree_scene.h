@@ -14,7 +14,7 @@
 namespace burin::detail {
 
 /// Whether parts are forms that are shared and drawn round, or meshes of their own.
-enum class Shapes : std::uint8_t { Shared, Meshes };
+enum class TreeShapes : std::uint8_t { Shared, Meshes };
 
 /// Evaluates the parts of a tree in a child process and makes a scene of them. `program`: the text
 /// that the tree came from; `calls`: what is known of its modules. Parts of which nothing is left
@@ -22,7 +22,7 @@ enum class Shapes : std::uint8_t { Shared, Meshes };
 /// at fault.
 ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                          const std::filesystem::path& path, const OpenscadOptions& options,
-                         Shapes shapes, RunContext& context);
+                         TreeShapes shapes, RunContext& context);
 
 /// The parts as implicit functions. Throws InputError for what has none.
 ReadResult functions_of_tree(const csg::Tree& tree, const TreeCalls& calls,

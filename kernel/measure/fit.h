@@ -13,7 +13,7 @@
 
 namespace burin::detail {
 
-using Sample = SurfaceSample;
+using Sample = SampledPoint;
 
 /// How far points may lie beside what they are taken for, of their size; and normals, radians.
 struct FitTolerance {

@@ -4,10 +4,10 @@
 
 namespace burin {
 
-std::vector<SurfaceSample> face_samples(const Surface& surface,
-                                        std::span<const std::uint32_t> triangles,
-                                        std::size_t about) {
-  std::vector<SurfaceSample> out;
+std::vector<SampledPoint> face_samples(const Surface& surface,
+                                       std::span<const std::uint32_t> triangles,
+                                       std::size_t about) {
+  std::vector<SampledPoint> out;
   const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / about);
   for (std::size_t i = 0; i < triangles.size(); i += step) {
     for (int corner = 0; corner < 3; ++corner) {

@@ -36,10 +36,10 @@ Vec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 /// The motions that keep points on their surface, about `middle` and in units of `size`.
 class Slippage {
  public:
-  Slippage(const std::vector<SurfaceSample>& samples, Vec3 middle, double size,
+  Slippage(const std::vector<SampledPoint>& samples, Vec3 middle, double size,
            const Speeds& speeds) {
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-    for (const SurfaceSample& s : samples) {
+    for (const SampledPoint& s : samples) {
       const Vec3 turned = glm::cross((s.position - middle) / size, s.normal);
       Motion row;
       row << s.normal.x, s.normal.y, s.normal.z, turned.x, turned.y, turned.z;
@@ -150,11 +150,11 @@ TurnedExtent extent_about(const Axis& axis, const ProxyMesh& proxy,
 
 std::optional<TurnedFace> turned_face(const Surface& surface,
                                       const std::vector<std::uint32_t>& triangles) {
-  const std::vector<SurfaceSample> samples = face_samples(surface, triangles, kPoints);
+  const std::vector<SampledPoint> samples = face_samples(surface, triangles, kPoints);
   Vec3 middle(0);
-  for (const SurfaceSample& s : samples) middle += s.position / static_cast<double>(samples.size());
+  for (const SampledPoint& s : samples) middle += s.position / static_cast<double>(samples.size());
   double size = 0;
-  for (const SurfaceSample& s : samples) size = std::max(size, glm::distance(s.position, middle));
+  for (const SampledPoint& s : samples) size = std::max(size, glm::distance(s.position, middle));
   // A strip of two triangles tells nothing.
   if (samples.size() < 3 || !(size > 0)) return std::nullopt;
   const Slippage slippage(samples, middle, size, surface.exact() ? kExact : kEstimated);
@@ -168,7 +168,7 @@ std::optional<TurnedFace> turned_face(const Surface& surface,
     return std::nullopt;
   }
   double outward = 0;
-  for (const SurfaceSample& s : samples) {
+  for (const SampledPoint& s : samples) {
     const Vec3 from_axis = out.sphere ? s.position - out.axis.point : out.axis.to(s.position);
     outward += glm::dot(from_axis, s.normal);
   }

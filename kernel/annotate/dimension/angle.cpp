@@ -96,7 +96,7 @@ class AngleArc {
   /// Paper mm of the arc that lie over the drawing.
   double over_drawing(const DimensionPlace& place) const {
     double over = 0;
-    for (const Piece& piece : place.print.pieces) {
+    for (const PrintedPiece& piece : place.print.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};
       if (piece.stroke == Stroke::Dimension && overlap(ground_.outline, ends)) {
         over += glm::distance(piece.a, piece.b);

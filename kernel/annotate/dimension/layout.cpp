@@ -28,7 +28,7 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   for (const Quad& letters : place.print.letters) {
     all.hard += overlap(letters, outline) ? 1 : 0;
     // Extension lines of an oblique view lean over the number between them.
-    for (const Piece& piece : place.print.pieces) {
+    for (const PrintedPiece& piece : place.print.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};
       const bool extension = piece.stroke == Stroke::Extension;
       all.hard += extension && overlap(letters, ends) ? 1 : 0;

@@ -40,7 +40,7 @@ bool parted_by(std::span<const Vec2> a, std::span<const Vec2> b) {
   return false;
 }
 
-bool cross_inside(const Piece& p, const Piece& q) {
+bool cross_inside(const PrintedPiece& p, const PrintedPiece& q) {
   const Vec2 u = p.b - p.a, v = q.b - q.a;
   const double turn = cross2(u, v), lengths = glm::length(u) * glm::length(v);
   if (!(std::abs(turn) > kBeside * lengths)) return false;
@@ -49,7 +49,7 @@ bool cross_inside(const Piece& p, const Piece& q) {
   return s > near_s && s < 1 - near_s && t > near_t && t < 1 - near_t;
 }
 
-bool run_beside(const Piece& p, const Piece& q, double apart) {
+bool run_beside(const PrintedPiece& p, const PrintedPiece& q, double apart) {
   const Vec2 u = p.b - p.a, v = q.b - q.a;
   const double length = glm::length(u);
   if (!(std::abs(cross2(u, v)) <= kBeside * length * glm::length(v)) || !(length > 0)) return false;
@@ -59,7 +59,7 @@ bool run_beside(const Piece& p, const Piece& q, double apart) {
   return std::min(a, b) < length - kTouch && std::max(a, b) > kTouch;
 }
 
-Conflicts of_pieces(const Piece& p, const Piece& q, double apart) {
+Conflicts of_pieces(const PrintedPiece& p, const PrintedPiece& q, double apart) {
   Conflicts out;
   const bool both = p.stroke == Stroke::Dimension && q.stroke == Stroke::Dimension;
   if (both && run_beside(p, q, apart)) ++out.hard;
@@ -76,7 +76,7 @@ int letters_on(const Footprint& one, const Footprint& other) {
   int out = 0;
   for (const Quad& quad : one.letters) {
     const Quad around = grown(quad, kClear);
-    for (const Piece& piece : other.pieces) {
+    for (const PrintedPiece& piece : other.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};
       if (overlap(around, ends)) ++out;
     }
@@ -127,8 +127,8 @@ double exit_of(Vec2 a, Vec2 b, Vec2 way, std::span<const Vec2> outline) {
 Conflicts conflicts_of(const Footprint& one, const Footprint& other, double apart) {
   constexpr double kBetween = 0.5;  // paper mm between letters
   Conflicts out;
-  for (const Piece& p : one.pieces) {
-    for (const Piece& q : other.pieces) {
+  for (const PrintedPiece& p : one.pieces) {
+    for (const PrintedPiece& q : other.pieces) {
       const Conflicts both = of_pieces(p, q, apart);
       out.hard += both.hard;
       out.crossings += both.crossings;

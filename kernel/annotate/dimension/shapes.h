@@ -13,7 +13,7 @@ namespace burin::detail {
 enum class Stroke { Dimension, Extension, Leader };
 
 /// A piece of a line.
-struct Piece {
+struct PrintedPiece {
   Vec2 a{0}, b{0};
   Stroke stroke = Stroke::Dimension;
 };
@@ -34,7 +34,7 @@ double exit_of(Vec2 a, Vec2 b, Vec2 way, std::span<const Vec2> outline);
 
 /// What one dimension takes up.
 struct Footprint {
-  std::vector<Piece> pieces;
+  std::vector<PrintedPiece> pieces;
   std::vector<Quad> letters;
 };
 
