@@ -75,9 +75,13 @@ class Finder {
  private:
   std::size_t faces() const { return proxy_.mesh.triangles.size(); }
   Vec3 corner(HalfEdge h) const { return proxy_.mesh.positions[origin(proxy_.mesh, h)]; }
+  // The other side of a smooth edge. A triangle that is folded back, as the rounding of a hole's
+  // rim leaves them on the face around it, is no continuation.
   HalfEdge smooth_opposite(HalfEdge h) const {
     const auto i = static_cast<std::size_t>(h);
-    return proxy_.edge_kind[i] == EdgeKind::Smooth ? proxy_.topology.opposite[i] : kNoHalfEdge;
+    const HalfEdge other = proxy_.topology.opposite[i];
+    if (proxy_.edge_kind[i] != EdgeKind::Smooth || other == kNoHalfEdge) return kNoHalfEdge;
+    return glm::dot(normal_[face_of(h)], normal_[face_of(other)]) < 0 ? kNoHalfEdge : other;
   }
 
   // Whether the triangle behind the smooth half-edge `h` goes on in the plane of its own triangle.

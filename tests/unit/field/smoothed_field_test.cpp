@@ -262,6 +262,28 @@ TEST(SmoothedField, FollowsStraightCreasesOfARealPart) {
   EXPECT_LT(f.singularities(0).size(), 12u);
 }
 
+// The rims of its holes are rounded: that folds narrow triangles back onto the face around them.
+TEST(SmoothedField, AFaceAroundRoundedHolesIsFlat) {
+  const auto path = test::data("mesh/cgal/anchor_dense.off");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  RunContext context;
+  const auto surface =
+      read_mesh(path, context).parts[0].form->realise({.tolerance = 1e-4}, context);
+  const field::SmoothedField f({surface.get()}, {}, context);
+  int all = 0, upright = 0;
+  for (const Probe& p : test::probes(*surface)) {
+    // A face of the part, none of the needles.
+    if (surface->proxy().mesh.normal(p.point.triangle).x < 0.999999) continue;
+    if (std::abs(p.point.position.x - 0.5) > 1e-9) continue;
+    const auto d = test::direction(f, p.query());
+    ASSERT_TRUE(d);
+    ++all;
+    upright += cross_angle(*d, {0, 0, 1}, p.frame.normal) < 0.5;
+  }
+  EXPECT_GT(all, 1000);
+  EXPECT_GT(upright, 0.95 * all);  // the others are needles that are not folded
+}
+
 /// The length of the edges over which the lines of family 1 in the middles of both triangles differ
 /// by more than 45 degrees, as a share of the square root of the area: cuts where strokes of the
 /// two families end against one another.
