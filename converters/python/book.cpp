@@ -47,6 +47,7 @@ py::list pages(const PyBook& self) {
     py::list added;
     for (const NewPart& part : self.book.pages[i].added) added.append(dict_of(part));
     page["added"] = added;
+    page["scale"] = self.book.pages[i].scale;
     page["drawing"] = self.pages[i];
     list.append(page);
   }

@@ -26,7 +26,6 @@ std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
         {plan.legend, "`legend`"},
         {plan.title_block.has_value(), "`title_block`"},
         {!plan.parts_list_files.empty(), "`parts_list` as a file"},
-        {plan.view.scale.has_value() || plan.sheet.iso_scale, "`scale`"},
         {plan.view.center.has_value(), "`center`"},
         {plan.explode.factor != 1, "`explode_factor`"}}) {
     if (asked) out.emplace_back(name);

@@ -164,7 +164,8 @@ void write_data(const Book& book, const std::string& name, const WriteOptions& o
       auto added = nlohmann::ordered_json::array();
       for (const NewPart& part : book.pages[i].added) added.push_back(added_json(part));
       out << (i == 0 ? "\n" : ",\n") << "{\"heading\": " << text_of(heading_of(book, i))
-          << ", \"added\": " << text_of(added) << ", \"drawing\": ";
+          << ", \"added\": " << text_of(added) << ", \"scale\": " << text_of(book.pages[i].scale)
+          << ", \"drawing\": ";
       write_json(book.pages[i].drawing, json, out, context);
       out << "}";
       context.check();

@@ -24,6 +24,7 @@ Book make_book(Scene& scene, Illustration& illustration, const BuildOptions& bui
   if (illustration.sheet.fits) {
     throw UsageError("the pages of a step book have one size: give `paper` one");
   }
+  check_iso_scale(illustration.view, illustration.sheet);
   illustration.items = true;
   select_parts(scene, illustration);
   number_parts(scene, illustration, context);
@@ -33,8 +34,11 @@ Book make_book(Scene& scene, Illustration& illustration, const BuildOptions& bui
   const std::vector<ExplodeStep> steps =
       explode_steps(scene, illustration.explode, drawn, model, context);
   cut_parts(scene, illustration);
-  const BookOptions options{illustration.view, illustration.sheet.margin, build,
-                            illustration.callouts};
+  const BookOptions options{.view = illustration.view,
+                            .margin = illustration.sheet.margin,
+                            .build = build,
+                            .callouts = illustration.callouts,
+                            .iso_scale = illustration.sheet.iso_scale};
   Book book =
       make_book(scene, model, steps, options, illustration.style, illustration.illustrate, context);
   book.title = illustration.title.empty() ? name_of(scene, drawn) : illustration.title;

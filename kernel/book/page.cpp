@@ -1,18 +1,14 @@
 #include "page.h"
 
 #include <burin/annotate/details.h>
-#include <burin/assembly/things.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/views.h>
 #include <burin/illustrate/ground.h>
-
-#include "show.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -25,6 +21,8 @@ constexpr double kNumber = 12;   // height of the number of a step
 constexpr double kHeading = 5;   // of the name of a sub-assembly
 constexpr double kCount = 4;     // of "4x"
 constexpr double kName = 2.5;    // of names of parts
+constexpr double kScale = 3.5;   // of the scale
+constexpr double kLine = 1.6;    // from line to line, in heights of the text
 constexpr double kTurn = 10;     // diameter of the symbol beside the number, and its distance
 constexpr Vec2 kCell{34, 34};    // a small picture and what stands below it
 constexpr double kPicture = 20;  // of the height of a cell
@@ -48,7 +46,7 @@ Style light(Style style) {
 
 /// Two arrows round a circle: the product is turned over.
 void add_turn_symbol(Vec2 middle, Layer& layer) {
-  constexpr double kLine = 0.5, kRadius = 0.4 * kTurn, kHead = 2.4, kWide = 1.8;
+  constexpr double kPen = 0.5, kRadius = 0.4 * kTurn, kHead = 2.4, kWide = 1.8;
   constexpr int kCorners = 24;
   for (const double from : {0.15, 1.15}) {  // in half turns
     const auto at = [&](double share) {
@@ -57,7 +55,7 @@ void add_turn_symbol(Vec2 middle, Layer& layer) {
     };
     Path arc;
     arc.kind = LineClass::Frame;
-    arc.width = {kLine};
+    arc.width = {kPen};
     for (int i = 0; i <= kCorners; ++i) arc.points.push_back(at(static_cast<double>(i) / kCorners));
     const Vec2 way = glm::normalize(arc.points.back() - arc.points[kCorners - 1]);
     Path head;
@@ -69,53 +67,47 @@ void add_turn_symbol(Vec2 middle, Layer& layer) {
   }
 }
 
-/// Things of a page that are alike, with one of them to be shown.
-struct Kind {
-  NewPart about;
-  std::vector<std::size_t> parts;
-};
-
-/// What goes on at a step, where its parts are.
-struct Scenery {
-  Scene scene;
-  std::vector<Vec3> moved;
-  std::vector<Curve3> trails;
-};
-
 class Page {
  public:
-  Page(const PageMaker& maker, const BuildStep& step) : maker_(maker), step_(step) {}
+  Page(const PageMaker& maker, const BuildStep& step, std::size_t number)
+      : maker_(maker), step_(step), number_(number) {}
 
-  BookPage make(std::size_t number) {
-    const Scenery scenery = move_apart();
-    const std::vector<Kind> kinds = kinds_of();
+  PagePlan plan() const {
+    PagePlan plan{.scenery = move_apart(), .look = {}, .added = new_kinds(maker_, step_)};
     const Box2 frame = inside(maker_.book.view.paper, maker_.book.margin);
-    Vec2 head = text_size(number);
-    const Look look =
-        best_look(maker_.model.proxies(), step_, scenery.moved, maker_.book.view, maker_.context);
-    if (is_turned(look))
-      head.x = std::max(head.x, text_width(std::to_string(number), kNumber) + 2 * kTurn);
-    const Grid grid = cells(frame, head.x, kinds.size());
+    Vec2 head = head_size();
+    plan.look = best_look(maker_.model.proxies(), step_, plan.scenery.moved, maker_.book.view,
+                          maker_.context);
+    if (is_turned(plan.look)) {
+      head.x = std::max(head.x, text_width(std::to_string(number_), kNumber) + 2 * kTurn);
+    }
+    plan.grid = cells(frame, head.x, plan.added.size());
     Box2 rest = frame;
-    rest.max.y -= std::max(head.y, grid.box.size().y) + kApart;
+    rest.max.y -= std::max(head.y, plan.grid.box.size().y) + kApart;
+    plan.over.items = new_items(maker_, step_);
+    plan.over.callouts = maker_.book.callouts;
+    const Paper& paper = maker_.book.view.paper;
+    plan.over.margin = margin_about(rest, paper);
+    plan.box = inside(paper, annotation_margin(plan.over, maker_.style.callout, paper));
+    plan.fitted =
+        camera_in(plan.scenery.scene, drawn_at(plan), view_of(plan.look, plan.box)).scale();
+    return plan;
+  }
+
+  BookPage draw(const PagePlan& plan, const PageScale& scale) const {
     BookPage page;
     page.title = title();
-    page.drawing = draw_step(scenery, look, rest);
-    write_head(number, frame, is_turned(look), page.drawing);
-    draw_cells(kinds, grid, look, page.drawing);
-    for (const Kind& kind : kinds) page.added.push_back(kind.about);
-    page.drawing.title = page.title.empty() ? fmt::format("Step {}", number)
-                                            : fmt::format("Step {}: {}", number, page.title);
+    page.scale = scale.value;
+    page.drawing = draw_step(plan, scale.value);
+    write_head(is_turned(plan.look), scale.told, page.drawing);
+    draw_cells(plan, page.drawing);
+    for (const NewKind& kind : plan.added) page.added.push_back(kind.about);
+    page.drawing.title = page.title.empty() ? fmt::format("Step {}", number_)
+                                            : fmt::format("Step {}: {}", number_, page.title);
     return page;
   }
 
  private:
-  /// Where small pictures stand.
-  struct Grid {
-    Box2 box;
-    std::size_t columns = 0, shown = 0, left_out = 0;
-  };
-
   /// What is new stands before its place.
   Scenery move_apart() const {
     Scenery out{maker_.scene, {}, {}};
@@ -143,56 +135,20 @@ class Page {
                               : step_.assembly;
   }
 
-  std::vector<Kind> kinds_of() const {
-    std::map<std::vector<int>, std::size_t> known;
-    std::vector<Kind> kinds;
-    const auto add = [&](const std::vector<std::size_t>& parts) {
-      std::vector<int> numbers;
-      for (const std::size_t part : parts) numbers.push_back(number_of(part));
-      std::ranges::sort(numbers);
-      const auto [entry, is_new] = known.try_emplace(std::move(numbers), kinds.size());
-      if (is_new) kinds.push_back({about(parts), parts});
-      ++kinds[entry->second].about.quantity;
-    };
-    for (const BuildMove& move : step_.moves) add(move.parts);
-    if (step_.begins) {
-      const std::vector<std::size_t> things = things_of(maker_.scene);
-      std::map<std::size_t, std::vector<std::size_t>> assembled;
-      for (const std::size_t part : step_.assembled) assembled[things[part]].push_back(part);
-      for (const auto& [first, parts] : assembled) add(parts);
-    }
-    return kinds;
-  }
-
-  int number_of(std::size_t part) const {
-    const DrawingItem* item = maker_.item_of[part];
-    return item ? item->number : -1 - static_cast<int>(part);
-  }
-
-  NewPart about(const std::vector<std::size_t>& parts) const {
-    const std::vector<std::size_t> things = things_of(maker_.scene);
-    const auto of_first = [&](std::size_t p) { return things[p] == things[parts.front()]; };
-    if (std::ranges::all_of(parts, of_first)) {
-      const DrawingItem* item = maker_.item_of[parts.front()];
-      return item ? NewPart{item->number, item->name, 0}
-                  : NewPart{0, maker_.scene.parts[parts.front()].name, 0};
-    }
-    return {0, name_together(maker_.scene, maker_.drawn, parts), 0};
-  }
-
-  Vec2 text_size(std::size_t number) const {
-    Vec2 size(text_width(std::to_string(number), kNumber), kNumber);
+  /// Of the number, the name and the scale.
+  Vec2 head_size() const {
+    Vec2 size(text_width(std::to_string(number_), kNumber), kNumber + kLine * kScale);
     const std::string name = title();
     if (!name.empty()) {
       size.x = std::max(size.x, text_width(name, kHeading));
-      size.y += kHeading + 0.6 * kHeading;
+      size.y += kLine * kHeading;
     }
     size.x = std::min(size.x, 0.4 * (maker_.book.view.paper.width));
     return size;
   }
 
-  Grid cells(const Box2& frame, double beside, std::size_t kinds) const {
-    Grid grid;
+  CellGrid cells(const Box2& frame, double beside, std::size_t kinds) const {
+    CellGrid grid;
     const double width = frame.size().x - beside - kApart;
     grid.columns = static_cast<std::size_t>(std::max(1.0, std::floor(width / kCell.x)));
     const std::size_t room = grid.columns * kMostRows;
@@ -217,11 +173,15 @@ class Page {
     return view;
   }
 
+  Camera camera_in(const Scene& scene, const IllustrateOptions& options,
+                   const ViewOptions& view) const {
+    return Camera::fit(extent_with_shadow(scene, maker_.style, options.part_styles, view), view);
+  }
+
   /// Draws parts of a scene in a box of the sheet.
   Drawing draw_in(const Scene& scene, const IllustrateOptions& options, const ViewOptions& view,
                   const Box2& box) const {
-    const Camera camera =
-        Camera::fit(extent_with_shadow(scene, maker_.style, options.part_styles, view), view);
+    const Camera camera = camera_in(scene, options, view);
     return illustrate(scene, camera.on_sheet(maker_.book.view.paper, box.min), maker_.style,
                       options, maker_.context);
   }
@@ -237,9 +197,10 @@ class Page {
     return options;
   }
 
-  Drawing draw_step(const Scenery& scenery, const Look& look, const Box2& box) const {
+  /// How the step itself is drawn.
+  IllustrateOptions drawn_at(const PagePlan& plan) const {
     IllustrateOptions options = alone(step_.parts());
-    options.trails = scenery.trails;
+    options.trails = plan.scenery.trails;
     if (!step_.begins) {
       for (const std::size_t part : step_.assembled) {
         PartStyle& one = options.part_styles[part];
@@ -247,42 +208,18 @@ class Page {
         one.style = light(one.style.value_or(maker_.style));
       }
     }
-    for (const std::size_t part : look.ghosts) {
+    for (const std::size_t part : plan.look.ghosts) {
       options.part_styles[part].transparent = true;
       options.part_styles[part].hatched = false;
     }
-    Annotations& over = options.annotations.emplace();
-    over.items = new_items();
-    over.callouts = maker_.book.callouts;
-    const Paper& paper = maker_.book.view.paper;
-    over.margin = margin_about(box, paper);
-    const Box2 inner = inside(paper, annotation_margin(over, maker_.style.callout, paper));
-    return draw_in(scenery.scene, options, view_of(look, inner), inner);
+    options.annotations = plan.over;
+    return options;
   }
 
-  /// Items of what is new, with those of their parts that are on the page.
-  std::vector<DrawingItem> new_items() const {
-    std::vector<std::size_t> fresh;
-    for (const BuildMove& move : step_.moves) {
-      fresh.insert(fresh.end(), move.parts.begin(), move.parts.end());
-    }
-    if (step_.begins) fresh.insert(fresh.end(), step_.assembled.begin(), step_.assembled.end());
-    std::ranges::sort(fresh);
-    std::map<int, DrawingItem> items;
-    for (const std::size_t part : fresh) {
-      const DrawingItem* item = maker_.item_of[part];
-      if (!item) continue;
-      DrawingItem& one = items.try_emplace(item->number, *item).first->second;
-      if (one.parts == item->parts) one.parts.clear(), one.selectors.clear();
-      const auto id = static_cast<std::int32_t>(part);
-      const auto at =
-          static_cast<std::size_t>(std::ranges::find(item->parts, id) - item->parts.begin());
-      one.parts.push_back(id);
-      if (at < item->selectors.size()) one.selectors.push_back(item->selectors[at]);
-    }
-    std::vector<DrawingItem> out;
-    for (auto& [number, item] : items) out.push_back(std::move(item));
-    return out;
+  Drawing draw_step(const PagePlan& plan, double scale) const {
+    ViewOptions view = view_of(plan.look, plan.box);
+    if (scale != plan.fitted) view.scale = scale;
+    return draw_in(plan.scenery.scene, drawn_at(plan), view, plan.box);
   }
 
   /// Whether the step is looked at from another side than was asked for.
@@ -291,25 +228,32 @@ class Page {
     return glm::dot(look.direction, glm::normalize(maker_.book.view.direction)) < kSame;
   }
 
-  void write_head(std::size_t number, const Box2& frame, bool turned, Drawing& drawing) const {
+  void write_head(bool turned, const std::string& scale, Drawing& drawing) const {
+    const Box2 frame = inside(maker_.book.view.paper, maker_.book.margin);
     Layer layer{"step", {}};
     if (turned) {
-      const double beside = text_width(std::to_string(number), kNumber) + kTurn;
+      const double beside = text_width(std::to_string(number_), kNumber) + kTurn;
       add_turn_symbol({frame.min.x + beside, frame.max.y - 0.5 * kNumber}, layer);
     }
-    const Vec2 at(frame.min.x, frame.max.y - kNumber);
-    layer.texts.push_back({at, kNumber, TextAnchor::Start, std::to_string(number), "step", 0});
+    Vec2 at(frame.min.x, frame.max.y - kNumber);
+    const auto write = [&](std::string text, double height) {
+      layer.texts.push_back({at, height, TextAnchor::Start, std::move(text), "step", 0});
+    };
+    write(std::to_string(number_), kNumber);
     const std::string name = title();
     if (!name.empty()) {
-      const double room = 0.4 * maker_.book.view.paper.width;
-      layer.texts.push_back({at - Vec2(0, 1.6 * kHeading), kHeading, TextAnchor::Start,
-                             fitted_text(name, kHeading, room), "step", 0});
+      at.y -= kLine * kHeading;
+      write(fitted_text(name, kHeading, 0.4 * maker_.book.view.paper.width), kHeading);
+    }
+    if (!scale.empty()) {
+      at.y -= kLine * kScale;
+      write(scale, kScale);
     }
     drawing.layers.push_back(std::move(layer));
   }
 
-  void draw_cells(const std::vector<Kind>& kinds, const Grid& grid, const Look& look,
-                  Drawing& page) const {
+  void draw_cells(const PagePlan& plan, Drawing& page) const {
+    const CellGrid& grid = plan.grid;
     if (grid.shown == 0) return;
     Layer layer{"step", {}};
     Path border;
@@ -325,7 +269,7 @@ class Page {
       const std::size_t above = i / grid.columns;
       const auto column = static_cast<double>(i % grid.columns), row = static_cast<double>(above);
       const Vec2 top(grid.box.min.x + column * kCell.x, grid.box.max.y - row * kCell.y);
-      draw_cell(kinds[i], top, look, layer, page);
+      draw_cell(plan.added[i], top, plan.look, layer, page);
     }
     if (grid.left_out > 0) {
       layer.texts.push_back({{grid.box.max.x, grid.box.min.y - 1.6 * kName},
@@ -340,7 +284,8 @@ class Page {
     append_view(page, std::move(texts));
   }
 
-  void draw_cell(const Kind& kind, Vec2 top, const Look& look, Layer& layer, Drawing& page) const {
+  void draw_cell(const NewKind& kind, Vec2 top, const Look& look, Layer& layer,
+                 Drawing& page) const {
     const Box2 box{top + Vec2(kInset, -kPicture), top + Vec2(kCell.x - kInset, -kInset)};
     Drawing small =
         draw_in(maker_.scene, alone(kind.parts), view_of({look.direction, look.up, {}}, box), box);
@@ -366,12 +311,18 @@ class Page {
 
   const PageMaker& maker_;
   const BuildStep& step_;
+  std::size_t number_;
 };
 
 }  // namespace
 
-BookPage PageMaker::make(const BuildStep& step, std::size_t number) const {
-  return Page(*this, step).make(number);
+PagePlan PageMaker::plan(const BuildStep& step, std::size_t number) const {
+  return Page(*this, step, number).plan();
+}
+
+BookPage PageMaker::draw(const BuildStep& step, std::size_t number, const PagePlan& plan,
+                         const PageScale& scale) const {
+  return Page(*this, step, number).draw(plan, scale);
 }
 
 }  // namespace burin::detail

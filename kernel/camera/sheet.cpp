@@ -121,6 +121,8 @@ double fitted_scale(Vec2 inner, const Seen& seen, bool iso_scale) {
   return iso_scale && most > 0 ? standard_scale(most) : most;
 }
 
+}  // namespace
+
 void check_iso_scale(const ViewOptions& view, const SheetOptions& sheet) {
   if (!sheet.iso_scale) return;
   if (sheet.fits) {
@@ -132,8 +134,6 @@ void check_iso_scale(const ViewOptions& view, const SheetOptions& sheet) {
     throw UsageError("a perspective view has no scale of ISO 5455: leave `scale` iso out");
   }
 }
-
-}  // namespace
 
 ViewOptions settle(const Camera::ExtentFn& extent, ViewOptions view, const SheetOptions& sheet) {
   const Margin& m = sheet.margin;

@@ -1,4 +1,6 @@
 // Step books from the command line.
+#include <burin/camera/view_grid.h>
+
 #include "models.h"
 #include "pages.h"
 
@@ -6,8 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -106,6 +111,71 @@ TEST_F(Steps, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(test::slurp(folder_ / "a.html"), test::slurp(folder_ / "b.html"));
 }
 
+TEST_F(Steps, PagesOfOneAssemblyHaveOneScaleAndSayWhereItChanges) {
+  const auto pages = [&](const std::string& options) {
+    EXPECT_EQ(run("steps " + pump() + " -o @/s.json -o @/s.md --style outline" + options), 0);
+    EXPECT_EQ(err_, "");
+    return nlohmann::json::parse(test::slurp(folder_ / "s.json"))["pages"];
+  };
+  const auto own = pages("");
+  ASSERT_EQ(own.size(), 11U);
+  std::map<std::string, std::set<double>> scales;
+  std::string before;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const double scale = own[i]["scale"];
+    EXPECT_NEAR(scale, double(own[i]["drawing"]["view"]["scale"]), 1e-12 * scale);
+    const std::string heading = own[i]["heading"];
+    scales[heading.find(':') == std::string::npos ? "" : heading.substr(heading.find(':'))].insert(
+        scale);
+    // The picture says the scale, unless it is that of the page before.
+    const std::string said = scale_text(scale);
+    const std::string picture = test::slurp(folder_ / fmt::format("s-step-{:02}.svg", i + 1));
+    EXPECT_EQ(picture.find(">" + said + "<") != std::string::npos, said != before) << heading;
+    before = said;
+  }
+  ASSERT_EQ(scales.size(), 5U);  // the pump and four assemblies in it
+  for (const auto& [name, all] : scales) EXPECT_EQ(all.size(), 1U) << name;
+
+  for (const auto& page : pages(" --scale iso")) {
+    const double scale = page["scale"];
+    EXPECT_DOUBLE_EQ(scale, standard_scale(scale));
+  }
+  for (const auto& page : pages(" --scale 1:2")) EXPECT_EQ(double(page["scale"]), 0.5);
+  ASSERT_EQ(run("steps " + pump() + " -o @/s.json --style outline --scale 1"), 0);
+  EXPECT_NE(err_.find("7 of 11 steps are drawn smaller than 1:1, for which their pages have no "
+                      "room: at 1:1.29 and more; use a larger --paper"),
+            std::string::npos)
+      << err_;
+}
+
+// A tower of blocks grows eightfold: its first page would be all but empty at the scale of the
+// last.
+TEST_F(Steps, AScaleIsLeftWhereAPageCouldBeTwiceAsLarge) {
+  std::string parts, steps;
+  for (int i = 0; i < 16; ++i) {
+    const std::string file = fmt::format("b{}.off", i);
+    folder_.write(file,
+                  test::off_text(test::box({0, 0, 10.0 * i}, {10, 10 + 0.01 * i, 10.0 * i + 9})));
+    parts += fmt::format("{}{{\"file\": \"{}\"}}", i ? "," : "", file);
+    if (i > 0) {
+      steps = fmt::format("{{\"move\": \"b{}\", \"along\": [0,0,1], \"by\": 20}}{}", i,
+                          i > 1 ? "," : "") +
+              steps;
+    }
+  }
+  folder_.write("a.burin.json", R"({"burin": "illustration", "style": "outline", "parts": [)" +
+                                    parts + R"(], "explode": {"steps": [)" + steps + "]}}");
+  ASSERT_EQ(run("steps @/a.burin.json -o @/a.json"), 0) << err_;
+  std::vector<double> scales;
+  const auto pages = nlohmann::json::parse(test::slurp(folder_ / "a.json"))["pages"];
+  for (const auto& page : pages) scales.push_back(page["scale"]);
+  ASSERT_EQ(scales.size(), 15U);
+  EXPECT_TRUE(std::ranges::is_sorted(scales, std::greater()));
+  const std::set<double> several(scales.begin(), scales.end());
+  EXPECT_GE(several.size(), 2U);
+  EXPECT_LE(several.size(), 4U);
+}
+
 TEST_F(Steps, AnIllustrationSaysTheOrderTitleAndWhatIsLeftOut) {
   folder_.write("small.off", test::off_text(test::box({5, 5, 20}, {10, 10, 30})));
   folder_.write("a.burin.json", R"json({"burin": "illustration", "style": "outline",
@@ -143,6 +213,7 @@ TEST_F(Steps, SayWhatTheyCannotDo) {
   refused("@/box.off -o @/a.md -o @/a.md", 2, "another file");
   refused("@/box.off -o @/a.md --items 0", 2, "--items takes a whole number from 1");
   refused("@/box.off -o @/a.md --paper fit", 2, "give --paper one");
+  refused("@/box.off -o @/a.md --scale iso --perspective 40", 2, "leave --scale iso out");
   refused("@/box.off -o @/none/a.md", 4, "folder does not exist");
   refused("@/box.off -o @/a.md --hide box", 2, "nothing is left");
   refused("@/box.off -o @/a.md --explode-factor 2", 2, "unknown option");

@@ -62,6 +62,7 @@ class Books(unittest.TestCase):
         added = [(part["name"], part["quantity"]) for part in book.pages[-1]["added"]]
         self.assertEqual(added, [("screw M6", 6)])
         self.assertIsInstance(book.pages[0]["drawing"], burin.Drawing)
+        self.assertEqual(len({page["scale"] for page in book.pages}), 5)
         self.assertEqual({page["title"] for page in book.pages},
                          {"", "idler", "idler shaft + key", "drive", "drive shaft + key"})
         self.assertEqual(sum(item["quantity"] for item in book.items), 23)

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -178,9 +179,24 @@ double farthest_on_curve(const ModelEdge& e, std::size_t count, std::size_t at, 
                   std::max(t - step, e.first), std::min(t + step, e.last));
 }
 
-/// Alternates between the directions; stays within a cell of the sample.
-double farthest_on_face(const Chart& chart, Vec2 at, Vec2 cell, Vec3 d) {
+/// Whether a point is in the face, also a period beside its parameters.
+bool covers(const TrimPolygon& trim, Vec2 at, Vec2 period) {
+  for (const double dv : {0.0, period.y, -period.y}) {
+    const std::vector<double> u = trim.crossings(at.y + dv);
+    for (const double du : {0.0, period.x, -period.x}) {
+      if ((std::ranges::upper_bound(u, at.x + du) - u.begin()) % 2 != 0) return true;
+    }
+  }
+  return false;
+}
+
+/// Where a face is farthest near a sample, unless that is at its border: its edges know that. The
+/// search alternates between the directions and stays within a cell of the sample.
+std::optional<double> farthest_inside(const ModelParts& parts, std::int32_t face, Vec2 sample,
+                                      Vec2 cell, Vec3 d) {
+  const Chart& chart = *parts.faces[static_cast<std::size_t>(face)].chart;
   double best = -std::numeric_limits<double>::infinity();
+  Vec2 at = sample;
   const Vec2 low = at - cell, high = at + cell;
   for (int round = 0; round < 6; ++round) {
     const int k = round % 2;
@@ -196,6 +212,8 @@ double farthest_on_face(const Chart& chart, Vec2 at, Vec2 cell, Vec3 d) {
     };
     maximise(f, low[k], high[k]);
   }
+  // A surface goes on where its face has been trimmed.
+  if (!covers(TrimPolygon(parts, face), at, chart.period())) return std::nullopt;
   return best;
 }
 
@@ -220,9 +238,9 @@ Box3 ShapeBounds::box(const ModelParts& parts, const Mat3& axes) const {
       for (const FaceSamples& f : faces_) {
         const std::size_t i = farthest(&face_points_[f.first], f.count, d);
         if (glm::dot(face_points_[f.first + i], d) + f.slack * length <= far) continue;
-        const Chart& chart = *parts.faces[static_cast<std::size_t>(f.face)].chart;
         survived([&] {
-          far = std::max(far, farthest_on_face(chart, face_uv_[f.first + i], f.cell, d));
+          const Vec2 sample = face_uv_[f.first + i];
+          far = std::max(far, farthest_inside(parts, f.face, sample, f.cell, d).value_or(far));
         });
       }
       (sign > 0 ? box.max : box.min)[k] = sign * far;

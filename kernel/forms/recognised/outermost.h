@@ -9,8 +9,9 @@
 namespace burin::recognised {
 
 /// Adds to `box`, which holds the corners of `mesh` along `axes` (rows of the matrix that turns
-/// them), the points of the round surfaces that stick out of it, to a chord of `tolerance` mm. Only
-/// triangles that come near its sides are looked at.
+/// them), the points of the round surfaces that stick out of it, to a chord of `tolerance` mm, and
+/// 256 times finer around the farthest points. Only triangles that come near its sides are looked
+/// at.
 void add_outermost(Box3& box, const Mat3& axes, const TriMesh& mesh, const Recognised& round,
                    const Facets& facets, double tolerance, const RunContext& context);
 

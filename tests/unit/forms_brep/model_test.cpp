@@ -2,11 +2,13 @@
 
 #include "brep_checks.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -125,6 +127,23 @@ TEST(BrepModel, BoundsOfTrimmedFacesEndWhereTheyEnd) {
   const Box3 box = make_brep_model(box_shape(1, 2, 3))->bounds(Mat3(1));
   EXPECT_EQ(box.min, Vec3(0));
   EXPECT_LT(glm::distance(box.max, Vec3(1, 2, 3)), 1e-12);
+}
+
+// Round faces that are cut off between two samples: their surfaces go on beyond the cut.
+TEST(BrepModel, BoundsOfRoundedBlocksEndAtTheirCuts) {
+  const TopoDS_Shape block = filleted_box_shape(0.4);  // 2 mm high
+  for (const double height : {1.61, 1.7, 1.8, 1.9, 1.99}) {
+    const TopoDS_Shape above = BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, height), gp_Pnt(5, 4, 3)).Shape();
+    const Box3 box = make_brep_model(BRepAlgoAPI_Cut(block, above).Shape())->bounds(Mat3(1));
+    EXPECT_LT(glm::distance(box.max, Vec3(4, 3, height)), 1e-7) << height;
+    EXPECT_LT(glm::distance(box.min, Vec3(0)), 1e-7) << height;
+  }
+  // A slot leaves two pieces of a ball on either side of its pole.
+  const TopoDS_Shape slot = BRepPrimAPI_MakeBox(gp_Pnt(-0.5, -9, 0), gp_Pnt(0.5, 9, 9)).Shape();
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(3).Shape();
+  const Box3 box = make_brep_model(BRepAlgoAPI_Cut(ball, slot).Shape())->bounds(Mat3(1));
+  EXPECT_NEAR(box.max.z, std::sqrt(9 - 0.25), 1e-7);
+  EXPECT_NEAR(box.min.z, -3, 1e-7);
 }
 
 TEST(BrepModel, CountsAndClosedness) {

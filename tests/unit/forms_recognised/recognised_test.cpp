@@ -239,8 +239,8 @@ TEST(Recognised, SpheresAreOneFaceToTheirPoles) {
       EXPECT_NEAR(glm::length(p), 10, 1e-4);
     }
     const Box3 box = form.bounds(Mat3(1));
-    EXPECT_NEAR(box.max.z, 10, 0.01);
-    EXPECT_NEAR(box.min.y, -10, 0.01);
+    EXPECT_NEAR(box.max.z, 10, 2e-4);
+    EXPECT_NEAR(box.min.y, -10, 2e-4);
   }
 }
 

@@ -44,6 +44,9 @@ struct SheetOptions {
   bool iso_scale = false;
 };
 
+/// Throws UsageError where a scale of ISO 5455 is asked for that such a view or sheet has not.
+void check_iso_scale(const ViewOptions& view, const SheetOptions& sheet);
+
 /// The view with paper, margin, scale and centre settled, so that `Camera::fit` need not know of
 /// SheetOptions. Perspective: the margins must be even, and a sheet that fits has the height that
 /// the field of view asks for. Throws UsageError where a sheet that fits would be larger than
