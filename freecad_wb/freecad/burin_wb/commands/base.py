@@ -8,7 +8,8 @@ from PySide import QtCore, QtGui
 
 from .. import kernel
 from ..errors import Failed, Refused
-from ..features import is_illustration
+from ..features import is_dimension, is_illustration
+from ..features.dimension import illustrations_of
 from ..tell import tell
 from ..text import tr
 
@@ -73,9 +74,20 @@ def ask_for_kernel():
     box.open()
 
 
+def illustrations_by(obj):
+    """The illustrations that an object in the tree stands for: itself, that of a view on a page, of lines, of a parts list, of a
+    dimension."""
+    if is_illustration(obj):
+        return [obj]
+    if is_dimension(obj):
+        return illustrations_of(obj)
+    shown = getattr(obj, "Illustration", None)
+    return [shown] if is_illustration(shown) else []
+
+
 def selected_illustrations():
-    """Illustrations that are selected, or the only one of the document."""
-    chosen = [o for o in Gui.Selection.getSelection() if is_illustration(o)]
+    """Illustrations that are selected, also by what stands for them, or the only one of the document."""
+    chosen = list({o.Name: o for chosen in Gui.Selection.getSelection() for o in illustrations_by(chosen)}.values())
     if chosen or FreeCAD.ActiveDocument is None:
         return chosen
     all_of_them = [o for o in FreeCAD.ActiveDocument.Objects if is_illustration(o)]

@@ -3,17 +3,16 @@
 import FreeCADGui as Gui
 
 from ..errors import Refused
-from ..features import is_illustration
 from ..features.looks import FLAGS, flags_of, path_of, with_flag
 from ..text import tr
-from .base import Command, Group, selected_illustrations
+from .base import Command, Group, illustrations_by, selected_illustrations
 
 
 def chosen_objects():
     """Paths of the selected objects that are no illustrations: 'Assembly.Body' with the internal names."""
     paths = []
     for chosen in Gui.Selection.getSelectionEx("", 0):
-        if not is_illustration(chosen.Object):
+        if not illustrations_by(chosen.Object):
             paths.extend(path_of(chosen.Object, sub) for sub in chosen.SubElementNames or ("",))
     return sorted(set(paths))
 

@@ -6,7 +6,7 @@ from PySide import QtGui
 
 from .. import illustration_file, preferences
 from ..errors import Refused
-from ..features import is_illustration, make_illustration, visible
+from ..features import make_illustration, visible
 from ..features.eye import set_view
 from ..features.shown import is_shown
 from ..features.sources import is_aid, survey
@@ -14,7 +14,7 @@ from ..tasks import show
 from ..tasks.illustration import IllustrationPanel
 from ..text import tr
 from ..view.camera import camera_of
-from .base import Command
+from .base import Command, illustrations_by
 
 
 class NewIllustration(Command):
@@ -56,7 +56,7 @@ def selected_sources():
     """The selection as pairs of object and sub-names, whole objects only, without illustrations."""
     sources = []
     for chosen in Gui.Selection.getSelectionEx("", 0):
-        if is_illustration(chosen.Object):
+        if illustrations_by(chosen.Object):
             continue
         subs = sorted({s[: s.rfind(".") + 1] for s in chosen.SubElementNames}) or [""]
         sources.append((chosen.Object, tuple(subs)))

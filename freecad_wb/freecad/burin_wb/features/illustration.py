@@ -11,6 +11,7 @@ from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
 from .apart import options_of
+from .dimension import rows_of
 from .properties import CENTRE_LINES, ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
@@ -123,7 +124,7 @@ class Illustration:
         if kept_exact != exact:
             obj.Inputs = exact + ":" + kept
         if obj.Message.endswith(KEPT):
-            obj.Message = shortened(job.notes + messages_of(obj.Drawing))
+            obj.Message = shortened(job.notes + [job.told(text) for text in messages_of(obj.Drawing)])
 
     def dumps(self):
         return None
@@ -179,6 +180,7 @@ def make_job(obj):
     for part in parts:
         if part.style:
             part.style = styles.resolve(part.style, obj.Document)
+    rows = rows_of(obj, parts, notes)
     options = {
         "view": tuple(obj.ViewDirection),
         "up": tuple(obj.ViewUp),
@@ -192,9 +194,10 @@ def make_job(obj):
         "hidden": obj.HiddenLines.lower(),
         "seed": obj.Seed,
         "tolerance": obj.Tolerance.Value or None,
-        **options_of(obj, [part.source for part in parts], notes),
+        **options_of(obj, [part.source for part in parts], rows, notes),
     }
-    return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}))
+    return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}), 
+               labels=[label for label, said in rows if not isinstance(said, str)])
 
 
 def keep_numbers(obj, job, result):

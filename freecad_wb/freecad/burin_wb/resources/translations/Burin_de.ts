@@ -48,6 +48,10 @@
       <translation>Striche hinzufügen …</translation>
     </message>
     <message>
+      <source>Angle</source>
+      <translation>Winkel</translation>
+    </message>
+    <message>
       <source>Another detail: about the face, edge or vertex that is selected, or where an object was clicked</source>
       <translation>Eine weitere Einzelheit: um die ausgewählte Fläche, Kante oder Ecke, oder wo ein Objekt angeklickt wurde</translation>
     </message>
@@ -132,12 +136,24 @@
       <translation>Löscht die ausgewählten Schritte</translation>
     </message>
     <message>
+      <source>Depth</source>
+      <translation>Tiefe</translation>
+    </message>
+    <message>
       <source>Detail</source>
       <translation>Einzelheit</translation>
     </message>
     <message>
+      <source>Diameter</source>
+      <translation>Durchmesser</translation>
+    </message>
+    <message>
       <source>Dimetric</source>
       <translation>Dimetrisch</translation>
+    </message>
+    <message>
+      <source>Distance</source>
+      <translation>Abstand</translation>
     </message>
     <message>
       <source>Draws strokes of another kind over those that there are</source>
@@ -268,6 +284,14 @@
       <translation>Schlüssel</translation>
     </message>
     <message>
+      <source>Kind {0} needs one round face or edge in Features</source>
+      <translation>Kind {0} braucht eine runde Fläche oder Kante in Features</translation>
+    </message>
+    <message>
+      <source>Kind {0} needs two faces, edges or vertices in Features</source>
+      <translation>Kind {0} braucht zwei Flächen, Kanten oder Eckpunkte in Features</translation>
+    </message>
+    <message>
       <source>Later</source>
       <translation>Später</translation>
     </message>
@@ -362,6 +386,10 @@
     <message>
       <source>Open…</source>
       <translation>Öffnen</translation>
+    </message>
+    <message>
+      <source>Overall dimensions</source>
+      <translation>Hauptmaße</translation>
     </message>
     <message>
       <source>Own style</source>
@@ -576,6 +604,10 @@
       <translation>Dieses FreeCAD nimmt {0} Pixel eines Symbols für einen Millimeter; Illustrationen auf Seiten wurden dafür neu gemacht</translation>
     </message>
     <message>
+      <source>Thread</source>
+      <translation>Gewinde</translation>
+    </message>
+    <message>
       <source>Top</source>
       <translation>Oben</translation>
     </message>
@@ -636,6 +668,14 @@
       <translation>Schreibt die Liste in eine Tabelle des Dokuments und legt diese auf die Seiten, die die Illustration zeigen</translation>
     </message>
     <message>
+      <source>a dimension has one or two faces, edges or vertices; {0} are selected</source>
+      <translation>ein Maß hat eine oder zwei Flächen, Kanten oder Eckpunkte; ausgewählt sind {0}</translation>
+    </message>
+    <message>
+      <source>a flat face alone has no dimension; select another face, edge or vertex too</source>
+      <translation>eine ebene Fläche allein hat kein Maß; wählen Sie noch eine Fläche, eine Kante oder einen Eckpunkt dazu</translation>
+    </message>
+    <message>
       <source>a radius is more than 0 mm</source>
       <translation>ein Radius ist größer als 0 mm</translation>
     </message>
@@ -646,6 +686,14 @@
     <message>
       <source>a step moves its parts by more than 0 mm</source>
       <translation>ein Schritt bewegt seine Teile um mehr als 0 mm</translation>
+    </message>
+    <message>
+      <source>a thread needs Text, such as M8: its shape alone does not tell</source>
+      <translation>ein Gewinde braucht Text, etwa M8: aus der Form allein geht es nicht hervor</translation>
+    </message>
+    <message>
+      <source>a vertex alone has no dimension; select another vertex, face or edge too</source>
+      <translation>ein Eckpunkt allein hat kein Maß; wählen Sie noch einen Eckpunkt, eine Fläche oder eine Kante dazu</translation>
     </message>
     <message>
       <source>a way is +x, -x, +y, -y, +z, -z or three numbers such as 1, 0, 1</source>
@@ -698,6 +746,10 @@
     <message>
       <source>bold: few broad strokes that swell from white to almost black</source>
       <translation>kräftig: wenige breite Striche, die von Weiß bis fast Schwarz anschwellen</translation>
+    </message>
+    <message>
+      <source>both are at one place, so they have no distance</source>
+      <translation>beide liegen an derselben Stelle und haben keinen Abstand</translation>
     </message>
     <message>
       <source>build</source>
@@ -800,6 +852,18 @@
       <translation>help_de</translation>
     </message>
     <message>
+      <source>it is neither flat nor straight nor round, so nothing of it can be measured</source>
+      <translation>es ist weder eben noch gerade noch rund; daran lässt sich nichts messen</translation>
+    </message>
+    <message>
+      <source>its features are gone; choose its Features again, or delete it</source>
+      <translation>was es misst, ist nicht mehr da; wählen Sie Features neu oder löschen Sie es</translation>
+    </message>
+    <message>
+      <source>its features have Kind {0} now, not {1}</source>
+      <translation>was es misst, hat jetzt Kind {0}, nicht {1}</translation>
+    </message>
+    <message>
       <source>landscape</source>
       <translation>quer</translation>
     </message>
@@ -846,6 +910,10 @@
     <message>
       <source>off</source>
       <translation>aus</translation>
+    </message>
+    <message>
+      <source>one of both is neither flat nor straight nor round, so nothing is measured between them</source>
+      <translation>eines von beiden ist weder eben noch gerade noch rund; dazwischen lässt sich nichts messen</translation>
     </message>
     <message>
       <source>one pen: lines of one width as plain polylines, closer where it is dark</source>
@@ -916,6 +984,10 @@
       <translation>wählen Sie eine Illustration, die gezeichnet ist</translation>
     </message>
     <message>
+      <source>select the illustration too: this document has several</source>
+      <translation>wählen Sie auch die Illustration: dieses Dokument hat mehrere</translation>
+    </message>
+    <message>
       <source>select two rows or more</source>
       <translation>zwei oder mehr Zeilen auswählen</translation>
     </message>
@@ -950,6 +1022,10 @@
     <message>
       <source>the template {0} is not there; choose another one in the preferences of Burin</source>
       <translation>die Vorlage {0} ist nicht da; wählen Sie eine andere in den Einstellungen von Burin</translation>
+    </message>
+    <message>
+      <source>there is no illustration yet; make one with New illustration first</source>
+      <translation>es gibt noch keine Illustration; machen Sie zuerst eine mit Neue Illustration</translation>
     </message>
     <message>
       <source>there is no line of the illustration here</source>
@@ -1000,6 +1076,10 @@
       <translation>{0} bei {1} mm</translation>
     </message>
     <message>
+      <source>{0} has its overall dimensions already; select faces or edges for others</source>
+      <translation>{0} hat die Hauptmaße schon; wählen Sie Flächen oder Kanten für andere Maße</translation>
+    </message>
+    <message>
       <source>{0} has no drawing that can be read ({1}); recompute it</source>
       <translation>{0} hat keine lesbare Zeichnung ({1}); berechnen Sie sie neu</translation>
     </message>
@@ -1016,8 +1096,16 @@
       <translation>{0} Illustrationen neu gezeichnet, {1} wie zuvor</translation>
     </message>
     <message>
+      <source>{0} is gone; choose its Features again, or delete it</source>
+      <translation>{0} ist nicht mehr da; wählen Sie Features neu oder löschen Sie das Maß</translation>
+    </message>
+    <message>
       <source>{0} is no longer in the document</source>
       <translation>{0} ist nicht mehr im Dokument</translation>
+    </message>
+    <message>
+      <source>{0} is not drawn here; add it to Sources, or delete the dimension</source>
+      <translation>{0} wird hier nicht gezeichnet; nehmen Sie es in Sources auf oder löschen Sie das Maß</translation>
     </message>
     <message>
       <source>{0} is not drawn yet; recompute it</source>
@@ -1026,6 +1114,10 @@
     <message>
       <source>{0} is not up to date.</source>
       <translation>{0} ist nicht auf dem neuesten Stand.</translation>
+    </message>
+    <message>
+      <source>{0} is selected as a whole; select faces, edges or vertices in the 3-D view</source>
+      <translation>{0} ist als Ganzes ausgewählt; wählen Sie Flächen, Kanten oder Eckpunkte in der 3D-Ansicht</translation>
     </message>
     <message>
       <source>{0} lines</source>
@@ -1120,6 +1212,17 @@
     <message>
       <source>Draws a place again beside the view, larger, in a circle: of the selected objects, or about a selected face, edge or point</source>
       <translation>Zeichnet eine Stelle neben der Ansicht noch einmal, größer, in einem Kreis: die ausgewählten Objekte, oder um eine ausgewählte Fläche, Kante oder Ecke</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_Dimension</name>
+    <message>
+      <source>Dimension</source>
+      <translation>Maß</translation>
+    </message>
+    <message>
+      <source>Writes a dimension of the selected faces, edges or vertices: a distance or an angle of two, the diameter or radius of a round one, the length of an edge; without any: width, depth and height</source>
+      <translation>Schreibt ein Maß der ausgewählten Flächen, Kanten oder Eckpunkte: Abstand oder Winkel von zweien, Durchmesser oder Radius einer runden, Länge einer Kante; ohne Auswahl: Breite, Tiefe und Höhe</translation>
     </message>
   </context>
   <context>

@@ -1,0 +1,66 @@
+"""Lengths, diameters and angles of what is selected."""
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from ..errors import Refused
+from ..features import is_illustration, make_dimension
+from ..features.looks import path_of
+from ..features.sources import from_the_top, survey
+from ..text import tr
+from .base import Command, illustrations_by, selected_illustrations
+
+
+class Dimension(Command):
+    name = "Burin_Dimension"
+    text = "Dimension"
+    tip = ("Writes a dimension of the selected faces, edges or vertices: a distance or an angle of two, the diameter or radius of a round one, the "
+           "length of an edge; without any: width, depth and height")
+    icon = "burin_dimension.svg"
+    accel = "U, D"
+
+    def possible(self):
+        return bool(FreeCAD.ActiveDocument.Objects)
+
+    def run(self, document):
+        features = selected_features(document)
+        made = make_dimension(illustration_for(document, features), features)
+        document.recompute()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(made)
+
+
+def selected_features(document):
+    """The selected faces, edges and vertices, (object, sub-name) each. Throws Refused where an object is selected as a whole."""
+    found, whole = [], []
+    for chosen in Gui.Selection.getSelectionEx(document.Name, 0):
+        if illustrations_by(chosen.Object) or chosen.Object.isDerivedFrom("TechDraw::DrawPage"):
+            continue
+        for sub in chosen.SubElementNames or ("",):
+            (found if sub.rpartition(".")[2] else whole).append((chosen.Object, sub))
+    if whole:
+        raise Refused(tr("{0} is selected as a whole; select faces, edges or vertices in the 3-D view").format(whole[0][0].Label))
+    return found
+
+
+def illustration_for(document, features):
+    """The selected illustration, else the only one of the document, else the only one that draws these features. Throws Refused."""
+    chosen = selected_illustrations()
+    if not chosen:
+        chosen = [obj for obj in document.Objects if is_illustration(obj)]
+        if not chosen:
+            raise Refused(tr("there is no illustration yet; make one with New illustration first"))
+        chosen = [obj for obj in chosen if features and draws(obj, features)]
+    if len(chosen) != 1:
+        raise Refused(tr("select the illustration too: this document has several"))
+    return chosen[0]
+
+
+def draws(obj, features):
+    """Whether an illustration draws the objects of all features."""
+    sources = [piece.part.source for piece in survey(obj.Sources)[0]]
+    paths = [path_of(*from_the_top(*feature)) for feature in features]
+    return all(any(f"{path}.".startswith(f"{source}.") for source in sources) for path in paths)
+
+
+COMMANDS = [Dimension()]
