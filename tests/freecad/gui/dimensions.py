@@ -29,8 +29,8 @@ class Annotations(Case):
         self.document.recompute()
         support.drawn()
         self.undos = self.document.UndoCount
-        self.said = []
-        patch = unittest.mock.patch("freecad.burin_wb.commands.base.tell", lambda text, *_: self.said.append(text))
+        self.told = []
+        patch = unittest.mock.patch("freecad.burin_wb.commands.base.tell", lambda text, *_: self.told.append(text))
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -73,7 +73,7 @@ class Dimensions(Annotations):
 
     def test_added_by_clicks_undone_and_redone(self):
         self.run_on("Burin_Dimension", *self.heights())
-        self.assertEqual((self.numbers(), self.obj.Message, self.said), (["16"], "", []))
+        self.assertEqual((self.numbers(), self.obj.Message, self.told), (["16"], "", []))
         one, = self.obj.Dimensions
         self.assertEqual(Gui.Selection.getSelection(), [one], "its properties are shown")
         self.run_on("Burin_Dimension", self.hole())
@@ -134,12 +134,12 @@ class Dimensions(Annotations):
             self.document.recompute()
             undos = self.document.UndoCount
             self.run_on("Burin_Dimension", *chosen)
-            self.assertIn(words, self.said[-1])
-            self.assertNotIn("\n", self.said[-1])
+            self.assertIn(words, self.told[-1])
+            self.assertNotIn("\n", self.told[-1])
             self.assertEqual((list(self.obj.Dimensions), self.document.UndoCount), ([], undos))
         self.document.removeObject(self.obj.Name)
         self.run_on("Burin_Dimension", *self.heights())
-        self.assertEqual(self.said[-1], "there is no illustration yet; make one with New illustration first")
+        self.assertEqual(self.told[-1], "there is no illustration yet; make one with New illustration first")
 
     def test_of_several_illustrations(self):
         from freecad.burin_wb.features import make_illustration
@@ -152,7 +152,7 @@ class Dimensions(Annotations):
         self.run_on("Burin_Dimension", (box, "Face1"), (box, "Face2"))
         self.assertEqual(([one.Kind for one in other.Dimensions], list(self.obj.Dimensions)), (["Distance"], []), "the one that draws it")
         self.run_on("Burin_Dimension")
-        self.assertEqual(self.said, ["select the illustration too: this document has several"])
+        self.assertEqual(self.told, ["select the illustration too: this document has several"])
         self.run_on("Burin_Dimension", other.Dimensions[0])
         self.assertEqual([one.Kind for one in other.Dimensions], ["Distance", "Overall"], "a dimension stands for its illustration")
         page = self.document.addObject("TechDraw::DrawPage", "Page")
@@ -177,6 +177,100 @@ class Dimensions(Annotations):
         self.wait()
         self.assertEqual((self.numbers(), one.ViewObject.Proxy.getIcon()[-15:]), ([], "burin_stale.svg"))
         self.assertRegex(self.obj.Message, "^Diameter: Pump.Lid.Face[0-9]+ is gone; choose its Features again, or delete it")
+
+
+class SectionViews(Annotations):
+    def said(self):
+        return [json.loads(text) for text in self.obj.Sections]
+
+    def views(self):
+        with open(self.obj.Drawing, encoding="utf-8") as file:
+            return [view["name"] for view in json.load(file).get("views", ())]
+
+    def test_across_y_edited_and_one_undo(self):
+        panel = self.open("Burin_SectionView")
+        self.is_narrow_and_told(panel)
+        self.assertEqual(self.said(), [{"plane": {"normal": [0, -1, 0], "offset": -20}, "view": True}], "through the middle")
+        self.assertEqual((panel.list.item(0).text(), panel.own.isChecked(), panel.letter.text()), ("A-A: -y at 20 mm", True, ""))
+        self.assertEqual((self.views(), self.texts().count("A"), self.texts().count("A-A")), (["front", "top", "A-A"], 2, 1))
+        support.screenshot("section-view-panel")
+        panel.letter.setText("K")
+        panel.letter.editingFinished.emit()
+        panel.slider.setValue(750)
+        self.wait()
+        self.assertEqual(self.said(), [{"plane": {"normal": [0, -1, 0], "offset": -30}, "view": "K"}])
+        self.assertEqual((self.views(), panel.list.item(0).text()), (["front", "top", "K-K"], "K-K: -y at 30 mm"))
+        panel.own.click()
+        self.wait()
+        self.assertEqual((self.said(), self.views()), ([{"plane": {"normal": [0, -1, 0], "offset": -30}}], ["front", "top"]))
+        self.assertFalse(panel.letter.isEnabled())
+        panel.own.click()
+        self.close(panel)
+        self.assertEqual((self.views(), self.document.UndoCount), (["front", "top", "A-A"], self.undos + 1))
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.said(), self.views()), ([], ["front", "top"]))
+        self.document.redo()
+        support.drawn()
+        self.assertEqual(self.views(), ["front", "top", "A-A"])
+        self.save_and_open()
+        self.assertEqual(self.views(), ["front", "top", "A-A"])
+        self.redraw()
+        self.assertEqual(len(self.said()), 1)
+
+    def test_through_a_face_and_a_datum_plane(self):
+        datum = self.document.addObject("PartDesign::Plane", "Datum")
+        datum.Placement = FreeCAD.Placement(V(12, 0, 0), FreeCAD.Rotation(V(0, 0, 1), V(1, 0, 0)))
+        self.document.recompute()
+        self.close(self.open("Burin_SectionView", self.obj, datum))
+        self.assertEqual([round(n, 6) for n in self.said()[0]["plane"]["normal"]], [1, 0, 0])
+        self.assertAlmostEqual(self.said()[0]["plane"]["offset"], 12)
+        self.close(self.open("Burin_SectionView", self.obj, self.sub("Lid", facing(self.document.Lid, V(0, 0, -1)))))
+        self.assertAlmostEqual(self.said()[1]["plane"]["offset"], -10, msg="the lower face of the lid lies inside the model")
+        self.close(self.open("Burin_SectionView", self.obj, self.sub("Plate", facing(self.document.Plate, V(0, -1, 0)))))
+        self.assertEqual(self.said()[2]["plane"], {"normal": [0, -1, 0], "offset": -20}, "a face at the end of the model: through the middle")
+        self.assertEqual(self.views(), ["front", "top", "A-A", "B-B", "C-C"])
+
+    def test_letters_of_details_come_after(self):
+        self.obj.Sections, self.obj.Details = ['{"plane": "y", "view": true}'], ["Pump.Bolt"]
+        self.redraw()
+        self.assertIn("B (1:1)", self.texts())
+        panel = self.open("Burin_Detail")
+        self.assertEqual(panel.table.item(0, 1).text(), "B")
+        panel.reject()
+        self.wait()
+
+    def test_wrong_selections_are_told_in_one_line(self):
+        self.run_on("Burin_SectionView", self.obj, self.sub("Bolt", "Face1"))
+        self.assertEqual((self.told, list(self.obj.Sections), Gui.Control.activeDialog(), self.document.UndoCount),
+                         (["a section needs a flat face or a datum plane; this one is curved"], [], False, self.undos))
+
+
+class CentreLines(Annotations):
+    def lines(self):
+        with open(self.obj.Drawing, encoding="utf-8") as file:
+            return sum(len(layer["paths"]) for layer in json.load(file)["layers"] if layer["name"] == "centre")
+
+    def test_on_and_off_are_a_step_of_undo_each(self):
+        from freecad.burin_wb.features import place_on_page
+
+        view = place_on_page(self.document.addObject("TechDraw::DrawPage", "Page"), self.obj)
+        self.document.recompute()
+        undos = self.document.UndoCount
+        self.run_on("Burin_CentreLines", view)
+        self.assertTrue(self.obj.CentreLines)
+        self.assertGreater(self.lines(), 3)
+        self.assertEqual(self.document.UndoCount, undos + 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.obj.CentreLines, self.lines()), (False, 0))
+        self.document.redo()
+        support.drawn()
+        self.run_on("Burin_CentreLines", self.obj)
+        self.assertEqual((self.obj.CentreLines, self.lines()), (False, 0))
+        self.obj.StyleKeys = {"feature.centre_lines": "true", "line.outer": "0.5"}
+        self.run_on("Burin_CentreLines", self.obj)
+        self.assertEqual((self.obj.CentreLines, dict(self.obj.StyleKeys), self.lines()), (False, {"line.outer": "0.5"}, 0))
 
 
 support.run(__name__)

@@ -9,9 +9,9 @@ from .base import illustrations_by
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
-LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode", "Burin_NumberParts",
-          "Burin_Detail", "Burin_Dimension", "Burin_StepBook", None, "Burin_RedrawAll", None, "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None,
-          "Burin_SelectSource", "Burin_ShowLines")
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_SectionView", "Burin_Detail",
+          "Burin_CentreLines", "Burin_Dimension", None, "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", None, "Burin_RedrawAll", None,
+          "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None, "Burin_SelectSource", "Burin_ShowLines")
 
 
 def register():
@@ -44,6 +44,6 @@ def context():
         return []
     if not any(illustrations_by(o) for o in chosen):
         return ["Burin_NewIllustration", "Burin_Look", "Burin_Dimension"]
-    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts",
-            "Burin_Detail", "Burin_Dimension", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", "Burin_ExportFile",
-            "Burin_SelectSource", "Burin_ShowLines"]
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_SectionView", "Burin_Detail", "Burin_CentreLines",
+            "Burin_Dimension", "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions",
+            "Burin_Export", "Burin_ExportFile", "Burin_SelectSource", "Burin_ShowLines"]

@@ -1,4 +1,4 @@
-"""Lengths, diameters and angles of what is selected."""
+"""What drawings of parts are read by: dimensions of what is selected, centre lines."""
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from ..errors import Refused
 from ..features import is_illustration, make_dimension
 from ..features.looks import path_of
+from ..features.properties import CENTRE_LINES
 from ..features.sources import from_the_top, survey
 from ..text import tr
 from .base import Command, illustrations_by, selected_illustrations
@@ -63,4 +64,24 @@ def draws(obj, features):
     return all(any(f"{path}.".startswith(f"{source}.") for source in sources) for path in paths)
 
 
-COMMANDS = [Dimension()]
+class CentreLines(Command):
+    name = "Burin_CentreLines"
+    text = "Centre lines"
+    tip = "Draws the axes of round faces, and marks where these are seen along their axis; once more: leaves them out"
+    icon = "burin_centre_lines.svg"
+
+    def possible(self):
+        return bool(selected_illustrations())
+
+    def run(self, document):
+        chosen = selected_illustrations()
+        if not chosen:
+            raise Refused(tr("select an illustration"))
+        on = not all(obj.CentreLines or obj.StyleKeys.get(CENTRE_LINES) == "true" for obj in chosen)
+        for obj in chosen:
+            obj.CentreLines = on
+            obj.StyleKeys = {key: value for key, value in obj.StyleKeys.items() if key != CENTRE_LINES}
+        document.recompute()
+
+
+COMMANDS = [CentreLines(), Dimension()]

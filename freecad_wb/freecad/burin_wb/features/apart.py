@@ -25,9 +25,11 @@ def options_of(obj, sources, rows, notes):
     if options and dict(obj.ItemNumbers):
         said["items"] = item_numbers.for_kernel(dict(obj.ItemNumbers))
     said.update(details.sheet_of(obj, sources, notes))
+    if obj.Projection == "Perspective" and "views" not in said and any(map(section.view_of, sections)):
+        notes.append(details.PARALLEL)
     if rows:
         said["dimensions"] = [said for _, said in rows]
-    if "views" in said:
+    if "views" in said or any(map(section.view_of, sections)):
         options["perspective"] = None
     if said:
         options["illustration"] = said

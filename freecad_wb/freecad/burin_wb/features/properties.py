@@ -44,7 +44,7 @@ ILLUSTRATION = (
     Row("Tolerance", "App::PropertyLength", "Style", 0.0,
         "Chord tolerance in the model; 0 = chosen from the sheet"),
     Row("Sections", "App::PropertyStringList", "Section", [],
-        "Planes that cut parts open: 'y', '-z=12', or as illustration files have them, {\"plane\": ..., \"exclude\": [object names]}"),
+        "Planes that cut parts open: 'y', '-z=12', or as illustration files have them, {\"plane\": ..., \"exclude\": [object names], \"view\": true}"),
     Row("Explode", "App::PropertyBool", "Explosion", False, "Takes the assembly apart in the drawing; the model stays as it is"),
     Row("ExplodeSteps", "App::PropertyStringList", "Explosion", [],
         "In order: {\"move\": [object names], \"along\": [x, y, z], \"by\": mm, \"trail\": true}; without any they are found"),

@@ -168,6 +168,10 @@
       <translation>Zeichnet die Illustration so, wie die 3D-Ansicht das Modell jetzt zeigt, auch in Perspektive</translation>
     </message>
     <message>
+      <source>Draws the section as a view A-A of the sheet, and leaves the other views whole; the line of the cut stands in a view that sees it from its edge</source>
+      <translation>Zeichnet den Schnitt als Ansicht A-A des Blatts und lässt die anderen Ansichten ganz; die Schnittlinie steht in einer Ansicht, die ihn von der Kante sieht</translation>
+    </message>
+    <message>
       <source>Earlier</source>
       <translation>Früher</translation>
     </message>
@@ -270,6 +274,10 @@
     <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
+    </message>
+    <message>
+      <source>Its letter; empty: the next one</source>
+      <translation>Sein Buchstabe; leer: der nächste</translation>
     </message>
     <message>
       <source>Its position along its axis</source>
@@ -630,6 +638,10 @@
     <message>
       <source>View</source>
       <translation>Ansicht</translation>
+    </message>
+    <message>
+      <source>View of its own</source>
+      <translation>Eigene Ansicht</translation>
     </message>
     <message>
       <source>Way</source>
@@ -1204,6 +1216,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_CentreLines</name>
+    <message>
+      <source>Centre lines</source>
+      <translation>Mittellinien</translation>
+    </message>
+    <message>
+      <source>Draws the axes of round faces, and marks where these are seen along their axis; once more: leaves them out</source>
+      <translation>Zeichnet die Achsen runder Flächen und Kreuze, wo man sie in Achsrichtung sieht; noch einmal: lässt sie weg</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_Detail</name>
     <message>
       <source>Detail</source>
@@ -1399,6 +1422,17 @@
     <message>
       <source>Section</source>
       <translation>Schnitt</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_SectionView</name>
+    <message>
+      <source>Adds a section A-A as a view of its own to the sheet: through the selected flat face or datum plane, else across y through the middle; the other views stay whole</source>
+      <translation>Fügt dem Blatt einen Schnitt A-A als eigene Ansicht hinzu: durch die gewählte ebene Fläche oder Bezugsebene, sonst quer zu y durch die Mitte; die anderen Ansichten bleiben ganz</translation>
+    </message>
+    <message>
+      <source>Section view</source>
+      <translation>Schnittansicht</translation>
     </message>
   </context>
   <context>
