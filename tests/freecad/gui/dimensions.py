@@ -86,10 +86,10 @@ class Dimensions(Annotations):
         self.assertTrue(all(one.ViewObject.isVisible() for one in self.obj.Dimensions), "the tree does not show them as hidden")
         support.screenshot("dimensions")
         self.document.undo()
-        self.redraw()
+        support.drawn()
         self.assertEqual(self.numbers(), ["16", "⌀6.2"])
         self.document.redo()
-        self.redraw()
+        support.drawn()
         self.assertEqual(self.numbers(), ["16", "24", "40", "60", "⌀6.2"])
 
     def test_saved_and_opened(self):
@@ -110,10 +110,10 @@ class Dimensions(Annotations):
         name = self.obj.Dimensions[1].Name
         self.select(self.obj.Dimensions[1])
         Gui.runCommand("Std_Delete")
-        self.redraw()
+        support.drawn()
         self.assertEqual((self.document.getObject(name), self.numbers()), (None, ["16"]))
         self.document.undo()
-        self.redraw()
+        support.drawn()
         self.assertEqual((self.numbers(), self.obj.Dimensions[1].ViewObject.Proxy.getIcon()[-19:]), (["16", "⌀6.2"], "burin_dimension.svg"))
         self.select(self.obj)
         with unittest.mock.patch.object(support.QtGui.QMessageBox, "warning", lambda *_, **__: support.QtGui.QMessageBox.Yes):
@@ -121,9 +121,8 @@ class Dimensions(Annotations):
         support.settle()
         self.assertEqual([o.Name for o in self.document.Objects if o.Name.startswith(("Illustration", "Dimension"))], [])
         self.document.undo()
-        support.settle()
         self.obj = self.document.Illustration
-        self.redraw()
+        support.drawn()
         self.assertEqual(self.numbers(), ["16", "⌀6.2"])
 
     def test_wrong_selections_are_told_in_one_line(self):

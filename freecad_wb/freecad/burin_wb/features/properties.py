@@ -89,7 +89,7 @@ DIMENSION = (
     Row("Features", "App::PropertyLinkSubListGlobal", "Dimension", None, "The faces, edges or vertices that are measured: one, or two for Distance and Angle"),
     Row("Along", "App::PropertyVector", "Dimension", (0, 0, 0), "Distance: measured in this direction; 0, 0, 0: the shortest way"),
     Row("Supplement", "App::PropertyBool", "Dimension", False, "Angle: the one beside that between the features"),
-    Row("Text", "App::PropertyString", "Text", "", "What is written instead of the number; {value} in it is the number"),
+    Row("Text", "App::PropertyString", "Text", "", "What is written instead of the number with its sign, such as 4x ⌀{value}"),
     Row("Tolerance", "App::PropertyString", "Text", "", "Behind the number: H7, 0.1 (±0.1), or the upper and the lower deviation, +0.1/-0.2"),
     Row("Decimals", "App::PropertyInteger", "Text", -1, "Places after the point, 0 to 6; -1: those of the style"),
     Row("View", "App::PropertyString", "Text", "", "The view of the sheet that has it, such as top or A-A; empty: the first that shows it best"),

@@ -69,8 +69,8 @@ class SectionPanel(Panel):
         self.slider.valueChanged.connect(lambda k: self._slide(k))
         form.addRow(self.slider)
         line = QtGui.QHBoxLayout()
-        self.own = widgets.check(False, tr("View of its own"), tr("Draws the section as a view A-A of the sheet, and leaves the other views whole; the line "
-                                                                  "of the cut stands in a view that sees it from its edge"), self._own, "own")
+        self.own = widgets.check(False, tr("View of its own"), tr("Draws the section as a view A-A of the sheet, and leaves the other views whole; a view that "
+                                                                  "sees the plane from its edge has the line of the cut"), self._own, "own")
         self.letter = QtGui.QLineEdit()
         self.letter.setObjectName("letter")
         self.letter.setMaximumWidth(50)

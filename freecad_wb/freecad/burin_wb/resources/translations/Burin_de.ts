@@ -168,8 +168,8 @@
       <translation>Zeichnet die Illustration so, wie die 3D-Ansicht das Modell jetzt zeigt, auch in Perspektive</translation>
     </message>
     <message>
-      <source>Draws the section as a view A-A of the sheet, and leaves the other views whole; the line of the cut stands in a view that sees it from its edge</source>
-      <translation>Zeichnet den Schnitt als Ansicht A-A des Blatts und lässt die anderen Ansichten ganz; die Schnittlinie steht in einer Ansicht, die ihn von der Kante sieht</translation>
+      <source>Draws the section as a view A-A of the sheet, and leaves the other views whole; a view that sees the plane from its edge has the line of the cut</source>
+      <translation>Zeichnet den Schnitt als Ansicht A-A des Blatts und lässt die anderen Ansichten ganz; die Schnittlinie steht in einer Ansicht, die die Ebene von der Kante sieht</translation>
     </message>
     <message>
       <source>Earlier</source>
