@@ -10,5 +10,5 @@ def _nothing(obj):
 # of the GUI's way.
 dress = _nothing
 
-# Called with an illustration that is double-clicked: opens its panel.
+# Called with an illustration, or a dimension of one, that is double-clicked: opens its panel.
 edit = _nothing

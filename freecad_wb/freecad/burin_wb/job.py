@@ -119,7 +119,7 @@ class Result:
     drawing: Optional[bytes]  # a drawing file (JSON); nothing where the kept one is the same (Job.unless)
     picture: Optional[bytes]  # SVG, few elements
     scale: float
-    messages: List[str]
+    messages: List[str]  # of the kernel
     fingerprint: str
     numbers: Dict[str, str] = field(default_factory=dict)  # of all items, kept ones among them; nothing where none were asked for
 
@@ -250,7 +250,7 @@ class Job:
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
             fingerprint = beside.submit(self.fingerprint, kept)
             drawing = self.draw(burin, progress, cancel, kept)
-            messages = [*self.notes, *(self.told(d.message) for d in drawing.diagnostics)]
+            messages = [self.told(d.message) for d in drawing.diagnostics]
             numbers = self._numbers(drawing.items)
             if numbers != self._numbers(()):
                 fingerprint.result()

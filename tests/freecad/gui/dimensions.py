@@ -10,6 +10,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
 from assembly_case import Case  # noqa: E402
+from PySide import QtGui  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -60,7 +61,9 @@ class Annotations(Case):
         self.wait()
 
 
-class Dimensions(Annotations):
+class Measured(Annotations):
+    """What is measured of the pump."""
+
     def numbers(self):
         return sorted(self.texts("dimension"))
 
@@ -71,6 +74,8 @@ class Dimensions(Annotations):
     def hole(self):
         return self.sub("Lid", next(f"Face{k}" for k, face in enumerate(self.document.Lid.Shape.Faces, 1) if face.findPlane() is None))
 
+
+class Dimensions(Measured):
     def test_added_by_clicks_undone_and_redone(self):
         self.run_on("Burin_Dimension", *self.heights())
         self.assertEqual((self.numbers(), self.obj.Message, self.told), (["16"], "", []))
@@ -116,7 +121,7 @@ class Dimensions(Annotations):
         support.drawn()
         self.assertEqual((self.numbers(), self.obj.Dimensions[1].ViewObject.Proxy.getIcon()[-19:]), (["16", "⌀6.2"], "burin_dimension.svg"))
         self.select(self.obj)
-        with unittest.mock.patch.object(support.QtGui.QMessageBox, "warning", lambda *_, **__: support.QtGui.QMessageBox.Yes):
+        with unittest.mock.patch.object(QtGui.QMessageBox, "warning", lambda *_, **__: QtGui.QMessageBox.Yes):
             Gui.runCommand("Std_Delete")
         support.settle()
         self.assertEqual([o.Name for o in self.document.Objects if o.Name.startswith(("Illustration", "Dimension"))], [])
@@ -166,9 +171,6 @@ class Dimensions(Annotations):
     def test_what_is_gone_is_marked_in_the_tree(self):
         self.run_on("Burin_Dimension", self.hole())
         one, = self.obj.Dimensions
-        Gui.Selection.clearSelection()
-        self.assertTrue(one.ViewObject.Proxy.doubleClicked(one.ViewObject))
-        self.assertEqual(self.chosen(), ["Pump." + self.hole()[1]], "what it measures lights up")
         import Part
 
         self.document.Lid.Shape = Part.makeBox(60, 40, 6, V(0, 0, 10))
@@ -176,6 +178,74 @@ class Dimensions(Annotations):
         self.wait()
         self.assertEqual((self.numbers(), one.ViewObject.Proxy.getIcon()[-15:]), ([], "burin_stale.svg"))
         self.assertRegex(self.obj.Message, "^Diameter: Pump.Lid.Face[0-9]+ is gone; choose its Features again, or delete it")
+
+
+class Panel(Measured):
+    def edit(self, dimension):
+        self.assertTrue(dimension.ViewObject.Proxy.doubleClicked(dimension.ViewObject))
+        self.wait()
+        return support.panel()
+
+    def rows(self, panel):
+        return [panel.list.item(row).text() for row in range(panel.list.count())]
+
+    def write(self, panel, name, text):
+        panel.texts[name].setText(text)
+        panel.texts[name].editingFinished.emit()
+
+    def click(self, panel, name):
+        panel.form.findChild(QtGui.QPushButton, name).click()
+        self.wait()
+
+    def test_edited_added_and_deleted_are_one_undo(self):
+        self.run_on("Burin_Dimension", *self.heights())
+        self.run_on("Burin_Dimension", self.hole())
+        undos = self.document.UndoCount
+        Gui.Selection.clearSelection()
+        panel = self.edit(self.obj.Dimensions[1])
+        self.is_narrow_and_told(panel)
+        self.assertEqual(self.rows(panel), ["Distance", "Diameter"])
+        self.assertEqual(self.chosen(), ["Pump." + self.hole()[1]], "what it measures lights up")
+        self.assertEqual((panel.kind.currentData(), panel.decimals.value()), ("Diameter", -1))
+        self.write(panel, "Tolerance", "H7")
+        self.write(panel, "Text", "2x ⌀{value}")
+        panel.decimals.setValue(0)
+        self.wait()
+        self.assertEqual(self.numbers(), ["16", "2x ⌀6 H7"])
+        support.screenshot("dimensions-panel")
+        panel.kind.setCurrentIndex(panel.kind.findData("Radius"))
+        self.write(panel, "Text", "")
+        self.wait()
+        self.assertEqual((self.numbers(), self.rows(panel)), (["16", "R3 H7"], ["Distance", "Diameter H7"]))
+        panel.kind.setCurrentIndex(panel.kind.findData("Angle"))
+        self.wait()
+        self.assertIn("Diameter: Kind Angle needs two faces, edges or vertices in Features", panel.message.text())
+        panel.kind.setCurrentIndex(panel.kind.findData("Diameter"))
+        Gui.Selection.clearSelection()
+        self.click(panel, "add")
+        self.assertEqual((self.numbers(), panel.kind.currentData()), (["16", "24", "40", "60", "⌀6 H7"], "Overall"))
+        self.click(panel, "add")
+        self.assertIn("has its overall dimensions already", panel.message.text())
+        panel.list.setCurrentRow(0)
+        self.click(panel, "delete")
+        self.assertEqual((self.numbers(), self.rows(panel)), (["24", "40", "60", "⌀6 H7"], ["Diameter H7", "Overall dimensions"]))
+        self.close(panel)
+        self.assertEqual(self.document.UndoCount, undos + 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual(self.numbers(), ["16", "⌀6.2"])
+
+    def test_cancel_takes_everything_back(self):
+        self.run_on("Burin_Dimension", self.hole())
+        panel = self.edit(self.obj.Dimensions[0])
+        self.write(panel, "Tolerance", "H7")
+        self.select(*self.heights())
+        self.click(panel, "add")
+        self.assertEqual(self.numbers(), ["16", "⌀6.2 H7"])
+        panel.reject()
+        self.wait()
+        self.assertEqual((self.numbers(), len(self.obj.Dimensions), [o.Name for o in self.document.Objects if o.Name.startswith("Dimension")]),
+                         (["⌀6.2"], 1, ["Dimension"]))
 
 
 class SectionViews(Annotations):

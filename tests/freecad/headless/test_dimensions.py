@@ -125,6 +125,11 @@ class Dimensions(Case):
         self.assertEqual((kept.Message, lost.State), ("", ["Up-to-date"]))
         self.assertEqual(obj.Message, "Diameter: Plate.Face7 is gone; choose its Features again, or delete it")
         self.assertEqual(self.numbers(obj), ["8"])
+        drawing = obj.Drawing
+        self.doc.removeObject(lost.Name)
+        self.doc.recompute()
+        self.assertEqual((obj.Message, obj.Drawing), ("", drawing), "nothing is drawn anew, and nothing left out")
+        lost = kept
         self.doc.removeObject("Plate")
         self.doc.recompute()
         self.assertRegex(lost.Message, "^its features are gone; choose its Features again")

@@ -2,9 +2,9 @@
 
 import FreeCADGui as Gui
 
+from ..features.stands_for import illustrations_by
 from ..view import scheduler
 from . import apart, book, dimension, export, help, look, new, page, redraw, select, style, view
-from .base import illustrations_by
 
 _registered = []
 

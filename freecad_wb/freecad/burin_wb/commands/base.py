@@ -8,8 +8,8 @@ from PySide import QtCore, QtGui
 
 from .. import kernel
 from ..errors import Failed, Refused
-from ..features import is_dimension, is_illustration
-from ..features.dimension import illustrations_of
+from ..features import is_illustration
+from ..features.stands_for import illustrations_by
 from ..tell import tell
 from ..text import tr
 
@@ -72,17 +72,6 @@ def ask_for_kernel():
     box.setInformativeText(why)
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()
-
-
-def illustrations_by(obj):
-    """The illustrations that an object in the tree stands for: itself, that of a view on a page, of lines, of a parts list, of a
-    dimension."""
-    if is_illustration(obj):
-        return [obj]
-    if is_dimension(obj):
-        return illustrations_of(obj)
-    shown = getattr(obj, "Illustration", None)
-    return [shown] if is_illustration(shown) else []
 
 
 def selected_illustrations():

@@ -8,8 +8,9 @@ from ..features import is_illustration, make_dimension
 from ..features.looks import path_of
 from ..features.properties import CENTRE_LINES
 from ..features.sources import from_the_top, survey
+from ..tasks.dimensions import selected_features
 from ..text import tr
-from .base import Command, illustrations_by, selected_illustrations
+from .base import Command, selected_illustrations
 
 
 class Dimension(Command):
@@ -29,19 +30,6 @@ class Dimension(Command):
         document.recompute()
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(made)
-
-
-def selected_features(document):
-    """The selected faces, edges and vertices, (object, sub-name) each. Throws Refused where an object is selected as a whole."""
-    found, whole = [], []
-    for chosen in Gui.Selection.getSelectionEx(document.Name, 0):
-        if illustrations_by(chosen.Object) or chosen.Object.isDerivedFrom("TechDraw::DrawPage"):
-            continue
-        for sub in chosen.SubElementNames or ("",):
-            (found if sub.rpartition(".")[2] else whole).append((chosen.Object, sub))
-    if whole:
-        raise Refused(tr("{0} is selected as a whole; select faces, edges or vertices in the 3-D view").format(whole[0][0].Label))
-    return found
 
 
 def illustration_for(document, features):

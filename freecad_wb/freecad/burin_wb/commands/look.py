@@ -4,8 +4,9 @@ import FreeCADGui as Gui
 
 from ..errors import Refused
 from ..features.looks import FLAGS, flags_of, path_of, with_flag
+from ..features.stands_for import illustrations_by
 from ..text import tr
-from .base import Command, Group, illustrations_by, selected_illustrations
+from .base import Command, Group, selected_illustrations
 
 
 def chosen_objects():

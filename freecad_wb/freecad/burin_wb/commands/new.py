@@ -10,11 +10,12 @@ from ..features import make_illustration, visible
 from ..features.eye import set_view
 from ..features.shown import is_shown
 from ..features.sources import is_aid, survey
+from ..features.stands_for import illustrations_by
 from ..tasks import show
 from ..tasks.illustration import IllustrationPanel
 from ..text import tr
 from ..view.camera import camera_of
-from .base import Command, illustrations_by
+from .base import Command
 
 
 class NewIllustration(Command):

@@ -92,7 +92,7 @@ class Illustration:
                     if result.drawing is None:
                         self._take_as_drawn(obj, job, exact)
                     else:
-                        keep(obj, result, keep_numbers(obj, job, result) or exact)
+                        keep(obj, job, result, keep_numbers(obj, job, result) or exact)
                     return
                 except OSError as failure:
                     error = (f"the drawing cannot be kept in the document ({reason(failure)}); free some disk space or save "
@@ -123,8 +123,8 @@ class Illustration:
         kept_exact, _, kept = obj.Inputs.partition(":")
         if kept_exact != exact:
             obj.Inputs = exact + ":" + kept
-        if obj.Message.endswith(KEPT):
-            obj.Message = shortened(job.notes + [job.told(text) for text in messages_of(obj.Drawing)])
+        if job.notes or obj.Message:  # which may tell of what was left out of another job with the same drawing
+            _say(obj, job, [job.told(text) for text in messages_of(obj.Drawing)])
 
     def dumps(self):
         return None
@@ -208,13 +208,20 @@ def keep_numbers(obj, job, result):
     return job.with_numbers(result.numbers).exact_fingerprint()
 
 
-def keep(obj, result, exact):
+def _say(obj, job, messages):
+    """What was left out, and what the kernel said."""
+    text = shortened(job.notes + messages)
+    if obj.Message != text:
+        obj.Message = text
+
+
+def keep(obj, job, result, exact):
     """Puts the result of a run into the document. Throws OSError."""
     _include(obj, "Drawing", result.drawing, ".json")
     _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
     obj.Inputs = exact + ":" + result.fingerprint
-    obj.Message = shortened(result.messages)
+    _say(obj, job, result.messages)
 
 
 def _include(obj, name, data, suffix):

@@ -5,10 +5,18 @@ import os
 import FreeCADGui as Gui
 from pivy import coin
 
+from .. import hooks
 from ..features.dimension import features_of
 
 _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
 _ICON, _STALE = os.path.join(_ICONS, "burin_dimension.svg"), os.path.join(_ICONS, "burin_stale.svg")
+
+
+def light_features(dimensions):
+    """Selects what dimensions measure."""
+    Gui.Selection.clearSelection()
+    for top, sub in (feature for one in dimensions for feature in features_of(one)):
+        Gui.Selection.addSelection(top.Document.Name, top.Name, sub)
 
 
 class DimensionView:
@@ -37,11 +45,13 @@ class DimensionView:
             self.View.signalChangeIcon()
 
     def doubleClicked(self, view):
-        """Lights up what it measures."""
-        Gui.Selection.clearSelection()
-        for top, sub in features_of(view.Object):
-            Gui.Selection.addSelection(top.Document.Name, top.Name, sub)
+        hooks.edit(view.Object)
         return True
+
+    def setEdit(self, view, mode=0):
+        """The panel has its own transaction; FreeCAD's edit mode would end it."""
+        hooks.edit(view.Object)
+        return False
 
     def dumps(self):
         return None

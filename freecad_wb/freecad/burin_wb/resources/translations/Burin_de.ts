@@ -60,6 +60,10 @@
       <translation>Eine weitere Einzelheit: die ausgewählten Objekte</translation>
     </message>
     <message>
+      <source>Another dimension: of the faces, edges or vertices that are selected; without any: width, depth and height</source>
+      <translation>Ein weiteres Maß: der ausgewählten Flächen, Kanten oder Eckpunkte; ohne solche: Breite, Tiefe und Höhe</translation>
+    </message>
+    <message>
       <source>Another number; an item that has it gets this one</source>
       <translation>Eine andere Nummer; eine Position, die sie hat, bekommt diese</translation>
     </message>
@@ -86,6 +90,10 @@
     <message>
       <source>Before the model</source>
       <translation>Vor dem Modell</translation>
+    </message>
+    <message>
+      <source>Behind the number: H7, 0.1 (±0.1), +0.1/-0.2</source>
+      <translation>Hinter der Zahl: H7, 0.1 (±0.1), +0.1/-0.2</translation>
     </message>
     <message>
       <source>Bottom</source>
@@ -124,12 +132,20 @@
       <translation>Schneidet die oben gewählten Objekte oder alle wieder</translation>
     </message>
     <message>
+      <source>Decimals</source>
+      <translation>Nachkommastellen</translation>
+    </message>
+    <message>
       <source>Delete</source>
       <translation>Löschen</translation>
     </message>
     <message>
       <source>Deletes the details that are selected above</source>
       <translation>Löscht die oben ausgewählten Einzelheiten</translation>
+    </message>
+    <message>
+      <source>Deletes the dimensions that are selected above</source>
+      <translation>Löscht die Maße, die oben ausgewählt sind</translation>
     </message>
     <message>
       <source>Deletes the steps that are selected</source>
@@ -146,6 +162,10 @@
     <message>
       <source>Diameter</source>
       <translation>Durchmesser</translation>
+    </message>
+    <message>
+      <source>Dimensions</source>
+      <translation>Maße</translation>
     </message>
     <message>
       <source>Dimetric</source>
@@ -272,6 +292,10 @@
       <translation>Auch in der 3D-Ansicht</translation>
     </message>
     <message>
+      <source>Instead of the number with its sign, such as 4x ⌀{value}</source>
+      <translation>Statt der Zahl mit ihrem Zeichen, etwa 4x ⌀{value}</translation>
+    </message>
+    <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
     </message>
@@ -290,6 +314,10 @@
     <message>
       <source>Key</source>
       <translation>Schlüssel</translation>
+    </message>
+    <message>
+      <source>Kind</source>
+      <translation>Art</translation>
     </message>
     <message>
       <source>Kind {0} needs one round face or edge in Features</source>
@@ -436,6 +464,10 @@
       <translation>Ort</translation>
     </message>
     <message>
+      <source>Places after the point; -1: those of the style</source>
+      <translation>Stellen nach dem Komma; -1: die des Stils</translation>
+    </message>
+    <message>
       <source>Plane</source>
       <translation>Ebene</translation>
     </message>
@@ -498,6 +530,10 @@
     <message>
       <source>Seed of all that is left to chance: another one gives other strokes</source>
       <translation>Startzahl für alles Zufällige: eine andere gibt andere Striche</translation>
+    </message>
+    <message>
+      <source>Selected dimension</source>
+      <translation>Gewähltes Maß</translation>
     </message>
     <message>
       <source>Several views on the sheet at one scale, front, top ... about the front view, others in the corner; none: the view above</source>
@@ -580,6 +616,10 @@
       <translation>Nimmt die oben gewählte Ebene weg</translation>
     </message>
     <message>
+      <source>Text</source>
+      <translation>Text</translation>
+    </message>
+    <message>
       <source>The axis of the model that is normal to the plane</source>
       <translation>Die Achse des Modells, zu der die Ebene quer steht</translation>
     </message>
@@ -604,6 +644,10 @@
       <translation>Die Ebenen, die schneiden, eine nach der anderen</translation>
     </message>
     <message>
+      <source>The view of the sheet that has it, such as top or A-A; empty: the first that shows it best</source>
+      <translation>Die Ansicht des Blatts, in der es steht, etwa top oder A-A; leer: die erste, die es am besten zeigt</translation>
+    </message>
+    <message>
       <source>Third angle</source>
       <translation>Methode 3</translation>
     </message>
@@ -614,6 +658,10 @@
     <message>
       <source>Thread</source>
       <translation>Gewinde</translation>
+    </message>
+    <message>
+      <source>Tolerance</source>
+      <translation>Toleranz</translation>
     </message>
     <message>
       <source>Top</source>
@@ -654,6 +702,14 @@
     <message>
       <source>What is drawn again; a row lights up its objects in the 3-D view</source>
       <translation>Was noch einmal gezeichnet wird; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
+    </message>
+    <message>
+      <source>What is measured</source>
+      <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+      <source>What is measured; a row lights it up in the 3-D view</source>
+      <translation>Was gemessen wird; eine Zeile hebt es in der 3D-Ansicht hervor</translation>
     </message>
     <message>
       <source>What moves together; a row lights up its objects in the 3-D view</source>
@@ -1086,6 +1142,10 @@
     <message>
       <source>{0} at {1} mm</source>
       <translation>{0} bei {1} mm</translation>
+    </message>
+    <message>
+      <source>{0} belongs to no illustration; delete it</source>
+      <translation>{0} gehört zu keiner Illustration; löschen Sie es</translation>
     </message>
     <message>
       <source>{0} has its overall dimensions already; select faces or edges for others</source>
