@@ -14,7 +14,7 @@ from freecad.burin_wb.features import make_dimension
 from freecad.burin_wb.features.asking import steps_job
 from freecad.burin_wb.features.dimension import dimensions_of, illustrations_of, tolerance_of, tolerance_text
 from freecad.burin_wb.features.illustration import make_job
-from freecad.burin_wb.features.measured import kind_of
+from freecad.burin_wb.features.measured import kind_of, may_have
 from freecad.burin_wb.features.properties import DIMENSION, READ_ONLY
 
 
@@ -139,7 +139,7 @@ class Dimensions(Case):
         one = self.add(obj, facing(self.part, V(0, 0, 1)), facing(self.part, V(0, 0, -1)))
         one.Features = [(self.part, (facing(self.part, V(0, 0, 1)), facing(self.part, V(1, 0, 0))))]
         self.doc.recompute()
-        self.assertEqual(obj.Message, "Distance: its features have Kind Angle now, not Distance")
+        self.assertEqual(obj.Message, "Distance: its features have Kind Angle, not Distance; change Kind, or choose its Features again")
         one.Kind = "Angle"
         self.doc.recompute()
         self.assertEqual((obj.Message, self.numbers(obj)), ("", ["90°"]))
@@ -218,6 +218,16 @@ class Dimensions(Case):
             kind, why = kind_of(shapes)
             self.assertEqual(kind, "")
             self.assertIn(words, why)
+
+    def test_kinds_that_round_ones_may_have(self):
+        bored = Part.makeBox(10, 20, 30).cut(Part.makeCylinder(4, 9, V(5, 10, -1)))
+        hole = next(face for face in bored.Faces if face.findPlane() is None)
+        rim = next(edge for edge in hole.Edges if isinstance(edge.Curve, Part.Circle))
+        ball, ring, cone = Part.makeSphere(5).Faces[0], Part.makeTorus(10, 2).Faces[0], Part.makeCone(5, 3, 8).Faces[0]
+        kinds = ("Diameter", "Radius", "Depth", "Thread")
+        for shape, may in ((hole, kinds), (rim, ("Diameter", "Radius", "Thread")), (ball, ("Diameter", "Radius")), (ring, ("Radius",)),
+                           (cone, ("Diameter", "Depth", "Thread")), (bored.Faces[0], ()), (bored.Edges[0], ()), (bored.Vertexes[0], ())):
+            self.assertEqual(tuple(kind for kind in kinds if may_have(kind, shape)), may, shape.ShapeType)
 
     def test_the_kernel_measures_what_is_said_to_be_there(self):
         """That the kinds that are found are those that the kernel takes: on all pairs of a part with slopes and holes."""

@@ -43,7 +43,7 @@ def context():
     if not chosen:
         return []
     if not any(illustrations_by(o) for o in chosen):
-        return ["Burin_NewIllustration", "Burin_Look", "Burin_Dimension"]
+        return ["Burin_NewIllustration", "Burin_Look", "Burin_SectionView", "Burin_Dimension"]
     return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_SectionView", "Burin_Detail", "Burin_CentreLines",
             "Burin_Dimension", "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions",
             "Burin_Export", "Burin_ExportFile", "Burin_SelectSource", "Burin_ShowLines"]

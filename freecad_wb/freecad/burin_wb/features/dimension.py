@@ -8,13 +8,13 @@ from ..errors import Refused
 from ..text import tr
 from .details import shape_at
 from .looks import path_of
-from .measured import ends_of, kind_of, measured
+from .measured import ends_of, kind_of, may_have, measured
 from .properties import DIMENSION, ensure, is_newer
 from .sources import from_the_top, survey
 
 OVERALL = "Overall"
 PAIRS = ("Distance", "Angle")
-ROUND = ("Diameter", "Radius", "Depth", "Thread")
+MOST_DECIMALS = 6
 
 _NUMBER = r"[-+]?\d+(?:[.,]\d+)?"
 _DEVIATIONS = re.compile(rf"\s*({_NUMBER})\s*[/;]\s*({_NUMBER})\s*$")
@@ -124,7 +124,7 @@ def _said(one, sources):
     if one.Kind == "Angle" and one.Supplement:
         row["supplement"] = True
     if one.Decimals >= 0:
-        row["decimals"] = one.Decimals
+        row["decimals"] = min(one.Decimals, MOST_DECIMALS)
     row.update({key: value for key, value in (("text", one.Text.strip()), ("tolerance", tolerance_of(one.Tolerance)), ("view", one.View.strip()))
                 if value})
     return row
@@ -194,8 +194,8 @@ def _problem(one):
         return tr("its features are gone; choose its Features again, or delete it")
     if one.Kind in PAIRS:
         return _problem_of_pair(one, shapes)
-    if len(shapes) != 1 or measured(shapes[0]).kind in ("plane", "line") or shapes[0].ShapeType == "Vertex":
-        return tr("Kind {0} needs one round face or edge in Features").format(one.Kind)
+    if len(shapes) != 1 or not may_have(one.Kind, shapes[0]):
+        return tr("Kind {0} needs one round face or edge that has it, in Features").format(one.Kind)
     if one.Kind == "Thread" and not one.Text.strip():
         return tr("a thread needs Text, such as M8: its shape alone does not tell")
     return ""
@@ -210,4 +210,4 @@ def _problem_of_pair(one, shapes):
     found, why = kind_of(shapes)
     if one.Kind == found or one.Kind == "Distance" and one.Along.Length > 0:
         return ""
-    return why or tr("its features have Kind {0} now, not {1}").format(found, one.Kind)
+    return why or tr("its features have Kind {0}, not {1}; change Kind, or choose its Features again").format(found, one.Kind)

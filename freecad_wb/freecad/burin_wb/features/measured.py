@@ -79,11 +79,25 @@ def _of_one(shape, one):
     if one.kind == "tube":
         return "Radius", ""
     if one.kind == "round" or one.kind == "point" and shape.ShapeType == "Face":
-        cone = shape.ShapeType == "Face" and isinstance(shape.Surface, Part.Cone)
-        return ("Diameter" if one.turn > HALF_TURN or cone else "Radius"), ""
+        return ("Diameter" if one.turn > HALF_TURN or is_cone(shape) else "Radius"), ""
     why = {"plane": tr("a flat face alone has no dimension; select another face, edge or vertex too"),
            "point": tr("a vertex alone has no dimension; select another vertex, face or edge too")}
     return "", why.get(one.kind, tr("it is neither flat nor straight nor round, so nothing of it can be measured"))
+
+
+def may_have(kind, shape):
+    """Whether a round face or edge may have a diameter, a radius, a depth or a thread; surfaces that FreeCAD does not know are left to
+    the kernel."""
+    one, is_face = measured(shape), shape.ShapeType == "Face"
+    if one.kind == "other":
+        return True
+    if one.kind == "round":
+        return {"Radius": not is_cone(shape), "Depth": is_face}.get(kind, True)
+    return kind == "Radius" if one.kind == "tube" else kind in ("Diameter", "Radius") and one.kind == "point" and is_face
+
+
+def is_cone(shape):
+    return shape.ShapeType == "Face" and isinstance(shape.Surface, Part.Cone)
 
 
 def _of_two(one, other, size):

@@ -4,7 +4,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..errors import Refused
-from ..features.dimension import dimensions_of, kinds, make_dimension
+from ..features.dimension import MOST_DECIMALS, dimensions_of, kinds, make_dimension
 from ..features.stands_for import illustrations_by
 from ..text import tr
 from ..view.dimension import light_features
@@ -40,7 +40,7 @@ class DimensionsPanel(Panel):
             ("View", tr("The view of the sheet that has it, such as top or A-A; empty: the first that shows it best")))}
         form.addRow(tr("Text"), self.texts["Text"])
         form.addRow(tr("Tolerance"), self.texts["Tolerance"])
-        self.decimals = widgets.whole(-1, tr("Places after the point; -1: those of the style"), lambda places: self._set("Decimals", places), "decimals", -1, 6)
+        self.decimals = widgets.whole(-1, tr("Places after the point; -1: those of the style"), lambda places: self._set("Decimals", places), "decimals", -1, MOST_DECIMALS)
         form.addRow(tr("Decimals"), self.decimals)
         form.addRow(tr("View"), self.texts["View"])
         self._list(self._at_first)

@@ -320,8 +320,8 @@
       <translation>Art</translation>
     </message>
     <message>
-      <source>Kind {0} needs one round face or edge in Features</source>
-      <translation>Kind {0} braucht eine runde Fläche oder Kante in Features</translation>
+      <source>Kind {0} needs one round face or edge that has it, in Features</source>
+      <translation>Kind {0} braucht in Features eine runde Fläche oder Kante, die das hat</translation>
     </message>
     <message>
       <source>Kind {0} needs two faces, edges or vertices in Features</source>
@@ -928,8 +928,8 @@
       <translation>was es misst, ist nicht mehr da; wählen Sie Features neu oder löschen Sie es</translation>
     </message>
     <message>
-      <source>its features have Kind {0} now, not {1}</source>
-      <translation>was es misst, hat jetzt Kind {0}, nicht {1}</translation>
+      <source>its features have Kind {0}, not {1}; change Kind, or choose its Features again</source>
+      <translation>was es misst, hat Kind {0}, nicht {1}; ändern Sie Kind oder wählen Sie Features neu</translation>
     </message>
     <message>
       <source>landscape</source>
