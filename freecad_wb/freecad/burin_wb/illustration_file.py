@@ -113,10 +113,21 @@ def _apart(burin, job, names):
     data.update({key: said[key] for key in ("views", "projection") if key in said})
     if "details" in said:
         data["details"] = [{**one, "select": named(one["select"])} if "select" in one else one for one in said["details"]]
+    if "dimensions" in said:
+        data["dimensions"] = [_measured(row, named) for row in said["dimensions"]]
     if said.get("items"):
         data["items"] = _item_names(burin, job, names)
     data.update({key: job.options[key] for key in ("callouts", "parts_list", "legend") if key in job.options})
     return data
+
+
+def _measured(said, named):
+    """A dimension with the names that its parts have in the file."""
+    if isinstance(said, list):
+        return [_measured(one, named) for one in said]
+    if isinstance(said, dict):
+        return {key: named([value])[0] if key == "part" else _measured(value, named) for key, value in said.items()}
+    return said
 
 
 def _item_names(burin, job, names):

@@ -8,6 +8,7 @@ import FreeCAD
 from . import kernel, preferences
 from .errors import Refused
 from .features import details, make_illustration, section
+from .features.dimension_entries import add_entries
 from .features.explosion import Step
 from .features.looks import with_flag, with_style
 from .features.properties import CENTRE_LINES
@@ -42,6 +43,8 @@ def read(document, path):
         setattr(obj, name, value)
     if told["title"]:
         obj.Label = told["title"]
+    selectable = [pair for one in matches for pair in one.selectable()]
+    add_entries(obj, told["dimensions"], lambda selector: _selected(burin, [selector], selectable, notes, "dimension"), notes)
     tell(f"{obj.Label}: made from {path}" + "".join("; " + note for note in notes), *(() if notes else (NOTE,)))
     return obj
 

@@ -119,7 +119,7 @@ class Result:
     drawing: Optional[bytes]  # a drawing file (JSON); nothing where the kept one is the same (Job.unless)
     picture: Optional[bytes]  # SVG, few elements
     scale: float
-    messages: List[str]
+    messages: List[str]  # of the kernel
     fingerprint: str
     numbers: Dict[str, str] = field(default_factory=dict)  # of all items, kept ones among them; nothing where none were asked for
 
@@ -140,6 +140,7 @@ class Job:
     notes: List[str] = field(default_factory=list)  # what was left out, and why
     files: Dict[str, str] = field(default_factory=dict)  # style files with the hashes of what they hold
     unless: str = ""  # nothing is drawn where this is the fingerprint
+    labels: List[str] = field(default_factory=list)  # of dimensions of features, in order
     book: Tuple[List[str], int] = ([], 0)  # of a step book: files that are written, new items of a step at the most
 
     def exact_fingerprint(self):
@@ -238,6 +239,10 @@ class Job:
                 found.append(part.name)
         return "; faulty shapes (see Part > Check geometry): " + shortened(found, ", ") if found else ""
 
+    def told(self, text):
+        """What the kernel says, `plainly`, with the labels of dimensions for their numbers."""
+        return _NUMBERED.sub(lambda said: dict(enumerate(self.labels, 1)).get(int(said.group(1)), said.group(0)), plainly(text))
+
     def run(self, burin, progress=None, cancel=None, kept=None):
         """As `draw`, for the document."""
         if self.is_drawn():
@@ -245,13 +250,17 @@ class Job:
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
             fingerprint = beside.submit(self.fingerprint, kept)
             drawing = self.draw(burin, progress, cancel, kept)
-            messages = [*self.notes, *(plainly(d.message) for d in drawing.diagnostics)]
+            messages = [self.told(d.message) for d in drawing.diagnostics]
             numbers = self._numbers(drawing.items)
             if numbers != self._numbers(()):
                 fingerprint.result()
                 fingerprint = beside.submit(self.with_numbers(numbers).fingerprint, kept)
             return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
                           drawing.view.scale, messages, fingerprint.result(), numbers)
+
+
+# What the kernel calls a dimension.
+_NUMBERED = re.compile(r"\bdimension (\d+) \([a-z]+\)")
 
 
 def plainly(text):
@@ -271,11 +280,11 @@ def answer(what, job, burin, progress, cancel, kept=None):
         try:
             return "done", _WORK[what](job, burin, progress, cancel, kept)
         except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
-            return "failed", plainly(error) + job.faults(burin, progress, cancel)
+            return "failed", job.told(error) + job.faults(burin, progress, cancel)
     except burin.Cancelled:
         return "cancelled", None
     except burin.Error as error:
-        return "failed", plainly(error)
+        return "failed", job.told(error)
     except Exception as error:  # a mistake of ours: told, and the worker lives on
         traceback.print_exc()
         return "failed", f"the drawing kernel failed: {error!r}"

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from . import item_numbers
 from .errors import Failed, Refused
+from .features import section
 from .features.asking import SHEET
 from .features.details import PARALLEL
 from .features.explosion import steps_for_kernel
@@ -36,6 +37,8 @@ def job_of(obj, files, new_items=NEW_ITEMS):
     check(files, new_items)
     job = make_job(obj)
     said = {key: value for key, value in job.options.get("illustration", {}).items() if key not in SHEET}
+    if "section" in said:
+        said["section"] = [one for one in said["section"] if not section.view_of(one)]
     said["title"] = obj.Label
     said["explode"] = steps_for_kernel(obj, [part.source for part in job.parts], job.notes)
     if dict(obj.ItemNumbers):

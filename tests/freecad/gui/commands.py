@@ -39,7 +39,7 @@ class Workbench(support.Case):
         for name in commands._registered:
             self.assertIn(name, Gui.listCommands())
         icons = os.path.join(os.path.dirname(commands.__file__), "..", "resources", "icons")
-        for module in ("apart", "new", "view", "style", "look", "page", "redraw", "export", "select", "help"):
+        for module in ("apart", "dimension", "new", "view", "style", "look", "page", "redraw", "export", "select", "help"):
             for command in __import__(f"freecad.burin_wb.commands.{module}", fromlist=["x"]).COMMANDS:
                 pixmap = command.GetResources().get("Pixmap")
                 if pixmap:

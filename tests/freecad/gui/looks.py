@@ -10,7 +10,7 @@ import support  # noqa: E402
 from PySide import QtCore, QtGui, QtSvg  # noqa: E402
 
 ICONS = pathlib.Path(__file__).resolve().parents[3] / "freecad_wb/freecad/burin_wb/resources/icons"
-PANELS = ("Burin_Edit", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts", "Burin_Detail")
+PANELS = ("Burin_Edit", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts", "Burin_Detail", "Burin_SectionView", "Burin_Dimension")
 # Of black and white.
 READABLE = 0.25
 # What toolbars of FreeCAD's themes are painted with.
@@ -39,6 +39,8 @@ class Panels(support.Case):
             self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
         else:
             Gui.runCommand(name)
+        if name == "Burin_Dimension":  # its panel is that of what it made
+            self.obj.Dimensions[0].ViewObject.Proxy.doubleClicked(self.obj.Dimensions[0].ViewObject)
         support.settle(300)
         support.drawn()
         return support.panel()

@@ -2,16 +2,16 @@
 
 import FreeCADGui as Gui
 
-from ..features import is_illustration
+from ..features.stands_for import illustrations_by
 from ..view import scheduler
-from . import apart, book, export, help, look, new, page, redraw, select, style, view
+from . import apart, book, dimension, export, help, look, new, page, redraw, select, style, view
 
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
-LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode", "Burin_NumberParts",
-          "Burin_Detail", "Burin_StepBook", None, "Burin_RedrawAll", None, "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None,
-          "Burin_SelectSource", "Burin_ShowLines")
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_SectionView", "Burin_Detail",
+          "Burin_CentreLines", "Burin_Dimension", None, "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", None, "Burin_RedrawAll", None,
+          "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None, "Burin_SelectSource", "Burin_ShowLines")
 
 
 def register():
@@ -19,7 +19,7 @@ def register():
     if _registered:
         return
     scheduler.install()
-    for module in (new, view, style, look, apart, book, redraw, page, export, select, help):
+    for module in (new, view, style, look, apart, dimension, book, redraw, page, export, select, help):
         for command in module.COMMANDS:
             Gui.addCommand(command.name, command)
             _registered.append(command.name)
@@ -42,8 +42,8 @@ def context():
     chosen = Gui.Selection.getSelection()
     if not chosen:
         return []
-    if not any(is_illustration(o) for o in chosen):
-        return ["Burin_NewIllustration", "Burin_Look"]
-    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts",
-            "Burin_Detail", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", "Burin_ExportFile",
-            "Burin_SelectSource", "Burin_ShowLines"]
+    if not any(illustrations_by(o) for o in chosen):
+        return ["Burin_NewIllustration", "Burin_Look", "Burin_SectionView", "Burin_Dimension"]
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_SectionView", "Burin_Detail", "Burin_CentreLines",
+            "Burin_Dimension", "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions",
+            "Burin_Export", "Burin_ExportFile", "Burin_SelectSource", "Burin_ShowLines"]

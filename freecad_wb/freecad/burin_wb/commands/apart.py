@@ -6,7 +6,7 @@ from ..tasks import show
 from ..tasks.detail import DetailPanel
 from ..tasks.explode import ExplodePanel
 from ..tasks.items import ItemsPanel
-from ..tasks.section import SectionPanel
+from ..tasks.section import SectionPanel, SectionViewPanel, chosen_plane
 from .base import Command, one_illustration, selected_illustrations
 
 
@@ -32,6 +32,19 @@ class Section(_Panel):
     tip = "Cuts the parts open by planes in the drawing; the model stays as it is"
     icon = "burin_section.svg"
     panel = SectionPanel
+
+
+class SectionView(_Panel):
+    name = "Burin_SectionView"
+    text = "Section view"
+    tip = ("Adds a section A-A as a view of its own to the sheet: through the selected flat face or datum plane, else across y through the "
+           "middle; the other views stay whole")
+    icon = "burin_section_view.svg"
+
+    def run(self, document):
+        illustration, plane = one_illustration(), chosen_plane(document)
+        document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
+        show(SectionViewPanel(illustration, plane))
 
 
 class Explode(_Panel):
@@ -74,4 +87,4 @@ class Detail(_Panel):
         show(DetailPanel(illustration)).begin()
 
 
-COMMANDS = [Section(), Explode(), Detail(), NumberParts()]
+COMMANDS = [Section(), SectionView(), Explode(), Detail(), NumberParts()]

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 from .. import kernel
 from ..errors import Failed, Refused
 from ..features import is_illustration
+from ..features.stands_for import illustrations_by
 from ..tell import tell
 from ..text import tr
 
@@ -74,8 +75,8 @@ def ask_for_kernel():
 
 
 def selected_illustrations():
-    """Illustrations that are selected, or the only one of the document."""
-    chosen = [o for o in Gui.Selection.getSelection() if is_illustration(o)]
+    """Illustrations that are selected, also by what stands for them, or the only one of the document."""
+    chosen = list({o.Name: o for chosen in Gui.Selection.getSelection() for o in illustrations_by(chosen)}.values())
     if chosen or FreeCAD.ActiveDocument is None:
         return chosen
     all_of_them = [o for o in FreeCAD.ActiveDocument.Objects if is_illustration(o)]

@@ -3,8 +3,8 @@
 import FreeCADGui as Gui
 
 from ..errors import Refused
-from ..features import is_illustration
 from ..features.looks import FLAGS, flags_of, path_of, with_flag
+from ..features.stands_for import illustrations_by
 from ..text import tr
 from .base import Command, Group, selected_illustrations
 
@@ -13,7 +13,7 @@ def chosen_objects():
     """Paths of the selected objects that are no illustrations: 'Assembly.Body' with the internal names."""
     paths = []
     for chosen in Gui.Selection.getSelectionEx("", 0):
-        if not is_illustration(chosen.Object):
+        if not illustrations_by(chosen.Object):
             paths.extend(path_of(chosen.Object, sub) for sub in chosen.SubElementNames or ("",))
     return sorted(set(paths))
 

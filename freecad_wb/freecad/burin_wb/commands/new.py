@@ -6,10 +6,11 @@ from PySide import QtGui
 
 from .. import illustration_file, preferences
 from ..errors import Refused
-from ..features import is_illustration, make_illustration, visible
+from ..features import make_illustration, visible
 from ..features.eye import set_view
 from ..features.shown import is_shown
 from ..features.sources import is_aid, survey
+from ..features.stands_for import illustrations_by
 from ..tasks import show
 from ..tasks.illustration import IllustrationPanel
 from ..text import tr
@@ -56,7 +57,7 @@ def selected_sources():
     """The selection as pairs of object and sub-names, whole objects only, without illustrations."""
     sources = []
     for chosen in Gui.Selection.getSelectionEx("", 0):
-        if is_illustration(chosen.Object):
+        if illustrations_by(chosen.Object):
             continue
         subs = sorted({s[: s.rfind(".") + 1] for s in chosen.SubElementNames}) or [""]
         sources.append((chosen.Object, tuple(subs)))

@@ -1,6 +1,7 @@
 """Objects of documents. Works without a GUI. The names here are a file-format contract: documents refer to
-`freecad.burin_wb.features.Illustration`, `.SheetView` and `.FlatEdges`."""
+`freecad.burin_wb.features.Illustration`, `.Dimension`, `.SheetView` and `.FlatEdges`."""
 
+from .dimension import Dimension, is_dimension, make_dimension
 from .flat_edges import FlatEdges, make_flat_edges
 from .illustration import Illustration, is_illustration, make_illustration
 from .repair import repair
@@ -8,7 +9,8 @@ from .sources import visible
 from .sheet_view import SheetView, place_on_page
 
 # The stored module name stays this package's, whatever file a class lives in.
-for _class in (Illustration, SheetView, FlatEdges):
+for _class in (Illustration, Dimension, SheetView, FlatEdges):
     _class.__module__ = __name__
 
-__all__ = ["FlatEdges", "Illustration", "SheetView", "is_illustration", "make_flat_edges", "make_illustration", "place_on_page", "repair", "visible"]
+__all__ = ["Dimension", "FlatEdges", "Illustration", "SheetView", "is_dimension", "is_illustration", "make_dimension", "make_flat_edges",
+           "make_illustration", "place_on_page", "repair", "visible"]

@@ -1,13 +1,13 @@
 """What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list; and of its sheet: several
-views, details."""
+views, details, dimensions."""
 
 from .. import item_numbers
 from . import details, explosion, section
 
 
-def options_of(obj, sources, notes):
+def options_of(obj, sources, rows, notes):
     """Keywords of burin.draw; only those that are asked for, so that drawings without them stay what they are. `sources`:
-    paths of the parts. Throws Refused."""
+    paths of the parts; `rows`: what is measured (dimension.rows_of). Throws Refused."""
     said = {}
     sections = section.for_kernel(obj, sources, notes)
     if sections:
@@ -25,7 +25,11 @@ def options_of(obj, sources, notes):
     if options and dict(obj.ItemNumbers):
         said["items"] = item_numbers.for_kernel(dict(obj.ItemNumbers))
     said.update(details.sheet_of(obj, sources, notes))
-    if "views" in said:
+    if obj.Projection == "Perspective" and "views" not in said and any(map(section.view_of, sections)):
+        notes.append(details.PARALLEL)
+    if rows:
+        said["dimensions"] = [said for _, said in rows]
+    if "views" in said or any(map(section.view_of, sections)):
         options["perspective"] = None
     if said:
         options["illustration"] = said

@@ -11,6 +11,7 @@ from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
 from .apart import options_of
+from .dimension import rows_of
 from .properties import CENTRE_LINES, ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
@@ -91,7 +92,7 @@ class Illustration:
                     if result.drawing is None:
                         self._take_as_drawn(obj, job, exact)
                     else:
-                        keep(obj, result, keep_numbers(obj, job, result) or exact)
+                        keep(obj, job, result, keep_numbers(obj, job, result) or exact)
                     return
                 except OSError as failure:
                     error = (f"the drawing cannot be kept in the document ({reason(failure)}); free some disk space or save "
@@ -122,8 +123,8 @@ class Illustration:
         kept_exact, _, kept = obj.Inputs.partition(":")
         if kept_exact != exact:
             obj.Inputs = exact + ":" + kept
-        if obj.Message.endswith(KEPT):
-            obj.Message = shortened(job.notes + messages_of(obj.Drawing))
+        if job.notes or obj.Message:  # which may tell of what was left out of another job with the same drawing
+            _say(obj, job, [job.told(text) for text in messages_of(obj.Drawing)])
 
     def dumps(self):
         return None
@@ -179,6 +180,7 @@ def make_job(obj):
     for part in parts:
         if part.style:
             part.style = styles.resolve(part.style, obj.Document)
+    rows = rows_of(obj, parts, notes)
     options = {
         "view": tuple(obj.ViewDirection),
         "up": tuple(obj.ViewUp),
@@ -192,9 +194,10 @@ def make_job(obj):
         "hidden": obj.HiddenLines.lower(),
         "seed": obj.Seed,
         "tolerance": obj.Tolerance.Value or None,
-        **options_of(obj, [part.source for part in parts], notes),
+        **options_of(obj, [part.source for part in parts], rows, notes),
     }
-    return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}))
+    return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}), 
+               labels=[label for label, said in rows if not isinstance(said, str)])
 
 
 def keep_numbers(obj, job, result):
@@ -205,13 +208,20 @@ def keep_numbers(obj, job, result):
     return job.with_numbers(result.numbers).exact_fingerprint()
 
 
-def keep(obj, result, exact):
+def _say(obj, job, messages):
+    """What was left out, and what the kernel said."""
+    text = shortened(job.notes + messages)
+    if obj.Message != text:
+        obj.Message = text
+
+
+def keep(obj, job, result, exact):
     """Puts the result of a run into the document. Throws OSError."""
     _include(obj, "Drawing", result.drawing, ".json")
     _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
     obj.Inputs = exact + ":" + result.fingerprint
-    obj.Message = shortened(result.messages)
+    _say(obj, job, result.messages)
 
 
 def _include(obj, name, data, suffix):

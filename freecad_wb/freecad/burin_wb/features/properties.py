@@ -44,7 +44,7 @@ ILLUSTRATION = (
     Row("Tolerance", "App::PropertyLength", "Style", 0.0,
         "Chord tolerance in the model; 0 = chosen from the sheet"),
     Row("Sections", "App::PropertyStringList", "Section", [],
-        "Planes that cut parts open: 'y', '-z=12', or as illustration files have them, {\"plane\": ..., \"exclude\": [object names]}"),
+        "Planes that cut parts open: 'y', '-z=12', or as illustration files have them, {\"plane\": ..., \"exclude\": [object names], \"view\": true}"),
     Row("Explode", "App::PropertyBool", "Explosion", False, "Takes the assembly apart in the drawing; the model stays as it is"),
     Row("ExplodeSteps", "App::PropertyStringList", "Explosion", [],
         "In order: {\"move\": [object names], \"along\": [x, y, z], \"by\": mm, \"trail\": true}; without any they are found"),
@@ -53,6 +53,7 @@ ILLUSTRATION = (
     Row("ExplodeFactor", "App::PropertyFloat", "Explosion", 1.0, "How far parts have come on their ways: 0 together, 1 apart"),
     Row("Details", "App::PropertyStringList", "Details", [],
         "Places that are drawn again, larger: {\"select\": [object names]} or {\"at\": [x, y, z], \"radius\": mm}, with \"scale\", \"letter\""),
+    Row("Dimensions", "App::PropertyLinkListGlobal", "Dimensions", [], "Objects that say what is measured, in the order of the tree"),
     Row("Callouts", "App::PropertyBool", "Items", False, "A number with a leader at each item"),
     Row("PartsList", "App::PropertyBool", "Items", False, "A list of the items above the lower right corner"),
     Row("Legend", "App::PropertyBool", "Items", False, "The colours of parts with their names; in which corner: the style key callout.legend"),
@@ -80,6 +81,20 @@ FLAT_EDGES = (
     Row("Strokes", "App::PropertyBool", "Burin", False, "The strokes of hatching too (slow where there are thousands)"),
     Row("Hidden", "App::PropertyBool", "Burin", False, "The dashed hidden lines too"),
     Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
+)
+
+DIMENSION = (
+    Row("Kind", "App::PropertyEnumeration", "Dimension", ["Overall", "Distance", "Diameter", "Radius", "Angle", "Depth", "Thread"],
+        "What is measured; Overall: width, depth and height of all that is drawn"),
+    Row("Features", "App::PropertyLinkSubListGlobal", "Dimension", None, "The faces, edges or vertices that are measured: one, or two for Distance and Angle"),
+    Row("Along", "App::PropertyVector", "Dimension", (0, 0, 0), "Distance: measured in this direction; 0, 0, 0: the shortest way"),
+    Row("Supplement", "App::PropertyBool", "Dimension", False, "Angle: the one beside that between the features"),
+    Row("Text", "App::PropertyString", "Text", "", "What is written instead of the number with its sign, such as 4x ⌀{value}"),
+    Row("Tolerance", "App::PropertyString", "Text", "", "Behind the number: H7, 0.1 (±0.1), or the upper and the lower deviation, +0.1/-0.2"),
+    Row("Decimals", "App::PropertyInteger", "Text", -1, "Places after the point, 0 to 6; -1: those of the style"),
+    Row("View", "App::PropertyString", "Text", "", "The view of the sheet that has it, such as top or A-A; empty: the first that shows it best"),
+    Row("Message", "App::PropertyString", "Result", "", "Why it is not drawn"),
+    Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
 
 

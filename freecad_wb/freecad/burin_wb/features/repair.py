@@ -1,5 +1,6 @@
 """Objects that FreeCAD saved without the add-on: all their properties, and no behaviour."""
 
+from .dimension import Dimension
 from .flat_edges import FlatEdges
 from .illustration import Illustration
 from .sheet_view import SheetView
@@ -7,6 +8,7 @@ from .sheet_view import SheetView
 # What tells an object that has lost its Proxy: its type, and properties that all versions of it have.
 _KINDS = (
     (Illustration, "App::FeaturePython", {"Sources", "Drawing", "Inputs", "Schema"}),
+    (Dimension, "App::FeaturePython", {"Kind", "Features", "Tolerance", "Schema"}),
     (SheetView, "TechDraw::DrawViewSymbolPython", {"Illustration", "Schema"}),
     (FlatEdges, "Part::FeaturePython", {"Illustration", "Strokes", "Hidden", "Schema"}),
 )
@@ -21,7 +23,7 @@ def _kind(obj):
 
 
 def repair(document):
-    """Gives illustrations, their views on pages and their flat lines the behaviour back that they lost where they were
+    """Gives illustrations, their dimensions, their views on pages and their flat lines the behaviour back that they lost where they were
     saved without the add-on. Returns the objects, illustrations first."""
     lost = [(kind, o) for kind, _, _ in _KINDS for o in document.Objects if _kind(o) is kind]
     for kind, obj in lost:

@@ -1,4 +1,4 @@
-"""Planes that cut parts open, as the property Sections keeps them: an entry of an illustration file each, as JSON, or the text
+"""Planes that cut parts open, in all views or in one of their own, as the property Sections keeps them: an entry of an illustration file each, as JSON, or the text
 of the option --section ("y", "-z=12")."""
 
 import json
@@ -42,6 +42,27 @@ def excluded(entry):
     """Words for what stays whole."""
     words = entry.get("exclude", []) if isinstance(entry, dict) else []
     return [words] if isinstance(words, str) else list(words)
+
+
+def view_of(entry):
+    """The letter of the view of its own that an entry has, or true where the kernel chooses it; nothing where it cuts all views."""
+    return entry.get("view") if isinstance(entry, dict) else None
+
+
+def in_view(entry, view=True):
+    """The entry in a view of its own, A-A: `view` is its letter, or true; false: it cuts all views again."""
+    entry = {"plane": entry} if isinstance(entry, str) else {key: value for key, value in entry.items() if key != "view"}
+    return {**entry, "view": view} if view else entry
+
+
+def may_have_view(entry):
+    """Whether it is one plane, or steps: a view shows one cut."""
+    return isinstance(entry, str) and bool(_TEXT.match(entry)) or isinstance(entry, dict) and ("plane" in entry or "steps" in entry)
+
+
+def own_views(entries):
+    """Of the entries with views of their own the letters, as details have them: {"letter": "K"}, or nothing in it."""
+    return [{"letter": view} if isinstance(view, str) else {} for view in map(view_of, entries) if view]
 
 
 def for_kernel(obj, sources, notes):

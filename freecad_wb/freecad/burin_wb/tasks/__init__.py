@@ -3,9 +3,11 @@
 import FreeCADGui as Gui
 from PySide import QtCore
 
+from ..features.stands_for import illustrations_by
 from ..tell import tell
 from ..text import tr
 from . import widgets
+from .dimensions import DimensionsPanel
 from .illustration import IllustrationPanel
 
 # The panel that is open.
@@ -26,9 +28,13 @@ def show(panel):
 
 
 def edit(obj):
-    """The panel of an illustration, as an undoable change of its own."""
+    """The panel of an illustration, or that of its dimensions for one of these, as an undoable change of its own."""
     if Gui.Control.activeDialog() is not False:
         tell(tr("another panel is open; close it first"))
         return None
+    illustration = next(iter(illustrations_by(obj)), None)
+    if illustration is None:
+        tell(tr("{0} belongs to no illustration; delete it").format(obj.Label))
+        return None
     obj.Document.openTransaction(tr("Edit illustration"))
-    return show(IllustrationPanel(obj))
+    return show(IllustrationPanel(obj) if obj is illustration else DimensionsPanel(illustration, obj))

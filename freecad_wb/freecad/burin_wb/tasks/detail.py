@@ -5,7 +5,7 @@ import FreeCADGui as Gui
 from PySide import QtCore
 
 from ..errors import Refused
-from ..features import details
+from ..features import details, section
 from ..features.chosen import numbers_of
 from ..features.extent import Extent
 from ..features.sources import from_the_top
@@ -68,7 +68,7 @@ class DetailPanel(Panel):
     def _list(self):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.entries))
-        for row, (entry, letter) in enumerate(zip(self.entries, details.letters_of(self.entries))):
+        for row, (entry, letter) in enumerate(zip(self.entries, self._letters())):
             words = details.words_of(entry)
             self.table.setItem(row, 0, widgets.cell(self._place(entry), tip="\n".join(words[:20])))
             self.table.setItem(row, 1, widgets.cell(letter, edited=True))
@@ -76,6 +76,14 @@ class DetailPanel(Panel):
             self.table.setItem(row, 3, widgets.cell(f"{entry['radius']:.4g}" if "radius" in entry else "", edited=True))
         self.table.blockSignals(False)
         self.lights.mark()
+
+    def _letters(self):
+        """As the drawing gives them: to sections with views of their own first."""
+        try:
+            others = section.own_views(section.entries_of(self.obj))
+        except Refused:  # which the drawing tells
+            others = []
+        return details.letters_of(others + self.entries)[len(others):]
 
     def _place(self, entry):
         words = details.words_of(entry)

@@ -1,12 +1,14 @@
 """The panel that cuts an assembly open."""
 
+import math
+
 import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..errors import Refused
 from ..features import section
-from ..features.details import to_viewer
+from ..features.details import entries_of, letters_of, to_viewer
 from ..features.extent import Extent
 from ..features.eye import face_of
 from ..text import tr
@@ -17,6 +19,7 @@ from .panel import Panel
 
 AXES = {"x": FreeCAD.Vector(1, 0, 0), "y": FreeCAD.Vector(0, 1, 0), "z": FreeCAD.Vector(0, 0, 1)}
 STEPS = 1000  # of the slider
+NEAR = 1e-6  # mm: what is as near to the end of the model lies at its end
 
 
 class SectionPanel(Panel):
@@ -41,9 +44,13 @@ class SectionPanel(Panel):
         self._fill_plane()
         self._fill_whole()
         self._quiet = False
+        self._list(0)
+        self.begin()
+
+    def begin(self):
+        """What the panel is opened with: a plane where there is none."""
         if not self.obj.Sections:
             self._add()
-        self._list(0)
 
     def _fill_plane(self):
         form = widgets.group(tr("Plane"), self.column)
@@ -61,6 +68,17 @@ class SectionPanel(Panel):
         self.slider.setToolTip(tr("Moves the plane through the model"))
         self.slider.valueChanged.connect(lambda k: self._slide(k))
         form.addRow(self.slider)
+        line = QtGui.QHBoxLayout()
+        self.own = widgets.check(False, tr("View of its own"), tr("Draws the section as a view A-A of the sheet, and leaves the other views whole; a view that "
+                                                                  "sees the plane from its edge has the line of the cut"), self._own, "own")
+        self.letter = QtGui.QLineEdit()
+        self.letter.setObjectName("letter")
+        self.letter.setMaximumWidth(50)
+        self.letter.setToolTip(tr("Its letter; empty: the next one"))
+        self.letter.editingFinished.connect(lambda: self._own(self.own.isChecked()))
+        line.addWidget(self.own, 1)
+        line.addWidget(self.letter)
+        form.addRow(line)
 
     def _fill_whole(self):
         form = widgets.group(tr("Stays whole"), self.column)
@@ -111,7 +129,7 @@ class SectionPanel(Panel):
         entries = self._entries()
         self.list.blockSignals(True)
         self.list.clear()
-        self.list.addItems([self._words(entry) for entry in entries])
+        self.list.addItems(self._called(entries))
         self.list.setCurrentRow(min(row, len(entries) - 1))
         self.list.blockSignals(False)
         self._chosen()
@@ -128,6 +146,17 @@ class SectionPanel(Panel):
         where = name or ", ".join(f"{n:.3g}" for n in plane[0])
         return tr("{0} at {1} mm").format(("-" if sign < 0 else "+") + where if name else where, f"{round(sign * plane[1], 6) + 0.0:.6g}")
 
+    def _called(self, entries):
+        """What the list says of all entries; those with views of their own by their letters."""
+        letters = iter(letters_of(section.own_views(entries) + self._details()))
+        return [("{0}-{0}: ".format(next(letters)) if section.view_of(entry) else "") + self._words(entry) for entry in entries]
+
+    def _details(self):
+        try:
+            return entries_of(self.obj)
+        except Refused:  # which the drawing tells
+            return []
+
     def _chosen(self):
         """Shows the entry that is chosen in the fields."""
         self._quiet = True
@@ -135,6 +164,11 @@ class SectionPanel(Panel):
         plane = self._plane_of(entry)
         for field in (self.axis, self.offset, self.slider, self.form.findChild(QtGui.QPushButton, "flip")):
             field.setEnabled(plane is not None)
+        view = section.view_of(entry)
+        self.own.setEnabled(section.may_have_view(entry))
+        self.own.setChecked(bool(view))
+        self.letter.setEnabled(bool(view))
+        self.letter.setText(view if isinstance(view, str) else "")
         self.whole.clear()
         for path in section.excluded(entry):
             item = QtGui.QListWidgetItem(label_of(self.document, path), self.whole)
@@ -190,6 +224,12 @@ class SectionPanel(Panel):
         normal = AXES[name] * (1 if AXES[name].dot(to_viewer(self.obj)) >= 0 else -1)
         self._set(normal, sum(self.extent.along(normal)) / 2)
 
+    def _own(self, on):
+        entry = self._entry()
+        view = (self.letter.text().strip() or True) if on else None
+        if not self._quiet and entry is not None and view != section.view_of(entry):
+            self._put(section.in_view(entry, view))
+
     def _flip(self):
         plane = self._plane_of(self._entry())
         if plane is not None:
@@ -224,6 +264,24 @@ class SectionPanel(Panel):
         self._put({**entry, "exclude": list(dict.fromkeys(words))})
 
 
+class SectionViewPanel(SectionPanel):
+    """The same panel, opened with another section, which has a view of its own. `plane`: its normal and offset; nothing: across y,
+    through the middle."""
+
+    def __init__(self, obj, plane=None):
+        self._first = plane
+        super().__init__(obj)
+
+    def begin(self):
+        normal, offset = self._first or (AXES["y"] * (1 if AXES["y"].dot(to_viewer(self.obj)) > 1e-9 else -1), math.inf)
+        low, high = self.extent.along(normal)
+        if not low + NEAR < offset < high - NEAR:  # a plane that bounds the model cuts nothing
+            offset = (low + high) / 2
+        entries = self._entries()
+        plane = section.plane(tuple(n + 0.0 for n in normal), round(offset, 6) + 0.0)
+        self._use([*entries, section.in_view(plane)], len(entries))
+
+
 def axis_of(normal):
     """The axis that a normal lies along, and its sign; an empty name and 1 where it lies along none."""
     for name, axis in AXES.items():
@@ -234,6 +292,14 @@ def axis_of(normal):
 
 def selected_plane(document):
     """Normal and offset of the flat face or the datum plane that is selected. Throws Refused."""
+    plane = chosen_plane(document)
+    if plane is None:
+        raise Refused(tr("select a flat face or a datum plane"))
+    return plane
+
+
+def chosen_plane(document):
+    """As `selected_plane`; nothing where no face and no plane is selected. Throws Refused where a face is curved."""
     for chosen in Gui.Selection.getSelectionEx(document.Name, 0):
         for sub in chosen.SubElementNames or ("",):
             obj = chosen.Object.getSubObject(sub, retType=1) if sub else chosen.Object
@@ -241,4 +307,4 @@ def selected_plane(document):
                 return section.of_placement(FreeCAD.Placement(chosen.Object.getSubObject(sub, retType=4)))
             if sub.rpartition(".")[2].startswith("Face"):
                 return section.of_face(*face_of(chosen.Object, sub))
-    raise Refused(tr("select a flat face or a datum plane"))
+    return None

@@ -7,6 +7,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from .. import hooks
+from ..features.dimension import dimensions_of, illustrations_of, is_dimension
 from ..tell import ERROR, tell
 from ..text import tr
 from . import ink, reading
@@ -182,7 +183,18 @@ class IllustrationView:
         action.toggled.connect(lambda on: setattr(view, "Follow", on))
 
     def claimChildren(self):
-        return []
+        return dimensions_of(self.Object) if hasattr(self, "Object") else []
+
+    def canDelete(self, obj):
+        """Whether something that it refers to may go without a question."""
+        return is_dimension(obj)
+
+    def onDelete(self, view, names):
+        """Its dimensions go with it, in the same undo."""
+        for one in dimensions_of(view.Object):
+            if illustrations_of(one) == [view.Object]:
+                view.Object.Document.removeObject(one.Name)
+        return True
 
     def dumps(self):
         return None

@@ -48,12 +48,20 @@
       <translation>Striche hinzufügen …</translation>
     </message>
     <message>
+      <source>Angle</source>
+      <translation>Winkel</translation>
+    </message>
+    <message>
       <source>Another detail: about the face, edge or vertex that is selected, or where an object was clicked</source>
       <translation>Eine weitere Einzelheit: um die ausgewählte Fläche, Kante oder Ecke, oder wo ein Objekt angeklickt wurde</translation>
     </message>
     <message>
       <source>Another detail: the objects that are selected</source>
       <translation>Eine weitere Einzelheit: die ausgewählten Objekte</translation>
+    </message>
+    <message>
+      <source>Another dimension: of the faces, edges or vertices that are selected; without any: width, depth and height</source>
+      <translation>Ein weiteres Maß: der ausgewählten Flächen, Kanten oder Eckpunkte; ohne solche: Breite, Tiefe und Höhe</translation>
     </message>
     <message>
       <source>Another number; an item that has it gets this one</source>
@@ -82,6 +90,10 @@
     <message>
       <source>Before the model</source>
       <translation>Vor dem Modell</translation>
+    </message>
+    <message>
+      <source>Behind the number: H7, 0.1 (±0.1), +0.1/-0.2</source>
+      <translation>Hinter der Zahl: H7, 0.1 (±0.1), +0.1/-0.2</translation>
     </message>
     <message>
       <source>Bottom</source>
@@ -120,6 +132,10 @@
       <translation>Schneidet die oben gewählten Objekte oder alle wieder</translation>
     </message>
     <message>
+      <source>Decimals</source>
+      <translation>Nachkommastellen</translation>
+    </message>
+    <message>
       <source>Delete</source>
       <translation>Löschen</translation>
     </message>
@@ -128,16 +144,36 @@
       <translation>Löscht die oben ausgewählten Einzelheiten</translation>
     </message>
     <message>
+      <source>Deletes the dimensions that are selected above</source>
+      <translation>Löscht die Maße, die oben ausgewählt sind</translation>
+    </message>
+    <message>
       <source>Deletes the steps that are selected</source>
       <translation>Löscht die ausgewählten Schritte</translation>
+    </message>
+    <message>
+      <source>Depth</source>
+      <translation>Tiefe</translation>
     </message>
     <message>
       <source>Detail</source>
       <translation>Einzelheit</translation>
     </message>
     <message>
+      <source>Diameter</source>
+      <translation>Durchmesser</translation>
+    </message>
+    <message>
+      <source>Dimensions</source>
+      <translation>Maße</translation>
+    </message>
+    <message>
       <source>Dimetric</source>
       <translation>Dimetrisch</translation>
+    </message>
+    <message>
+      <source>Distance</source>
+      <translation>Abstand</translation>
     </message>
     <message>
       <source>Draws strokes of another kind over those that there are</source>
@@ -150,6 +186,10 @@
     <message>
       <source>Draws the illustration as the 3-D view shows the model now, in perspective too</source>
       <translation>Zeichnet die Illustration so, wie die 3D-Ansicht das Modell jetzt zeigt, auch in Perspektive</translation>
+    </message>
+    <message>
+      <source>Draws the section as a view A-A of the sheet, and leaves the other views whole; a view that sees the plane from its edge has the line of the cut</source>
+      <translation>Zeichnet den Schnitt als Ansicht A-A des Blatts und lässt die anderen Ansichten ganz; die Schnittlinie steht in einer Ansicht, die die Ebene von der Kante sieht</translation>
     </message>
     <message>
       <source>Earlier</source>
@@ -252,8 +292,16 @@
       <translation>Auch in der 3D-Ansicht</translation>
     </message>
     <message>
+      <source>Instead of the number with its sign, such as 4x ⌀{value}</source>
+      <translation>Statt der Zahl mit ihrem Zeichen, etwa 4x ⌀{value}</translation>
+    </message>
+    <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
+    </message>
+    <message>
+      <source>Its letter; empty: the next one</source>
+      <translation>Sein Buchstabe; leer: der nächste</translation>
     </message>
     <message>
       <source>Its position along its axis</source>
@@ -266,6 +314,18 @@
     <message>
       <source>Key</source>
       <translation>Schlüssel</translation>
+    </message>
+    <message>
+      <source>Kind</source>
+      <translation>Art</translation>
+    </message>
+    <message>
+      <source>Kind {0} needs one round face or edge that has it, in Features</source>
+      <translation>Kind {0} braucht in Features eine runde Fläche oder Kante, die das hat</translation>
+    </message>
+    <message>
+      <source>Kind {0} needs two faces, edges or vertices in Features</source>
+      <translation>Kind {0} braucht zwei Flächen, Kanten oder Eckpunkte in Features</translation>
     </message>
     <message>
       <source>Later</source>
@@ -364,6 +424,10 @@
       <translation>Öffnen</translation>
     </message>
     <message>
+      <source>Overall dimensions</source>
+      <translation>Hauptmaße</translation>
+    </message>
+    <message>
       <source>Own style</source>
       <translation>Eigener Stil</translation>
     </message>
@@ -398,6 +462,10 @@
     <message>
       <source>Place</source>
       <translation>Ort</translation>
+    </message>
+    <message>
+      <source>Places after the point; -1: those of the style</source>
+      <translation>Stellen nach dem Komma; -1: die des Stils</translation>
     </message>
     <message>
       <source>Plane</source>
@@ -462,6 +530,10 @@
     <message>
       <source>Seed of all that is left to chance: another one gives other strokes</source>
       <translation>Startzahl für alles Zufällige: eine andere gibt andere Striche</translation>
+    </message>
+    <message>
+      <source>Selected dimension</source>
+      <translation>Gewähltes Maß</translation>
     </message>
     <message>
       <source>Several views on the sheet at one scale, front, top ... about the front view, others in the corner; none: the view above</source>
@@ -544,6 +616,10 @@
       <translation>Nimmt die oben gewählte Ebene weg</translation>
     </message>
     <message>
+      <source>Text</source>
+      <translation>Text</translation>
+    </message>
+    <message>
       <source>The axis of the model that is normal to the plane</source>
       <translation>Die Achse des Modells, zu der die Ebene quer steht</translation>
     </message>
@@ -568,12 +644,24 @@
       <translation>Die Ebenen, die schneiden, eine nach der anderen</translation>
     </message>
     <message>
+      <source>The view of the sheet that has it, such as top or A-A; empty: the first that shows it best</source>
+      <translation>Die Ansicht des Blatts, in der es steht, etwa top oder A-A; leer: die erste, die es am besten zeigt</translation>
+    </message>
+    <message>
       <source>Third angle</source>
       <translation>Methode 3</translation>
     </message>
     <message>
       <source>This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it</source>
       <translation>Dieses FreeCAD nimmt {0} Pixel eines Symbols für einen Millimeter; Illustrationen auf Seiten wurden dafür neu gemacht</translation>
+    </message>
+    <message>
+      <source>Thread</source>
+      <translation>Gewinde</translation>
+    </message>
+    <message>
+      <source>Tolerance</source>
+      <translation>Toleranz</translation>
     </message>
     <message>
       <source>Top</source>
@@ -600,6 +688,10 @@
       <translation>Ansicht</translation>
     </message>
     <message>
+      <source>View of its own</source>
+      <translation>Eigene Ansicht</translation>
+    </message>
+    <message>
       <source>Way</source>
       <translation>Weg</translation>
     </message>
@@ -610,6 +702,14 @@
     <message>
       <source>What is drawn again; a row lights up its objects in the 3-D view</source>
       <translation>Was noch einmal gezeichnet wird; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
+    </message>
+    <message>
+      <source>What is measured</source>
+      <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+      <source>What is measured; a row lights it up in the 3-D view</source>
+      <translation>Was gemessen wird; eine Zeile hebt es in der 3D-Ansicht hervor</translation>
     </message>
     <message>
       <source>What moves together; a row lights up its objects in the 3-D view</source>
@@ -636,6 +736,14 @@
       <translation>Schreibt die Liste in eine Tabelle des Dokuments und legt diese auf die Seiten, die die Illustration zeigen</translation>
     </message>
     <message>
+      <source>a dimension has one or two faces, edges or vertices; {0} are selected</source>
+      <translation>ein Maß hat eine oder zwei Flächen, Kanten oder Eckpunkte; ausgewählt sind {0}</translation>
+    </message>
+    <message>
+      <source>a flat face alone has no dimension; select another face, edge or vertex too</source>
+      <translation>eine ebene Fläche allein hat kein Maß; wählen Sie noch eine Fläche, eine Kante oder einen Eckpunkt dazu</translation>
+    </message>
+    <message>
       <source>a radius is more than 0 mm</source>
       <translation>ein Radius ist größer als 0 mm</translation>
     </message>
@@ -646,6 +754,14 @@
     <message>
       <source>a step moves its parts by more than 0 mm</source>
       <translation>ein Schritt bewegt seine Teile um mehr als 0 mm</translation>
+    </message>
+    <message>
+      <source>a thread needs Text, such as M8: its shape alone does not tell</source>
+      <translation>ein Gewinde braucht Text, etwa M8: aus der Form allein geht es nicht hervor</translation>
+    </message>
+    <message>
+      <source>a vertex alone has no dimension; select another vertex, face or edge too</source>
+      <translation>ein Eckpunkt allein hat kein Maß; wählen Sie noch einen Eckpunkt, eine Fläche oder eine Kante dazu</translation>
     </message>
     <message>
       <source>a way is +x, -x, +y, -y, +z, -z or three numbers such as 1, 0, 1</source>
@@ -698,6 +814,10 @@
     <message>
       <source>bold: few broad strokes that swell from white to almost black</source>
       <translation>kräftig: wenige breite Striche, die von Weiß bis fast Schwarz anschwellen</translation>
+    </message>
+    <message>
+      <source>both are at one place, so they have no distance</source>
+      <translation>beide liegen an derselben Stelle und haben keinen Abstand</translation>
     </message>
     <message>
       <source>build</source>
@@ -800,6 +920,18 @@
       <translation>help_de</translation>
     </message>
     <message>
+      <source>it is neither flat nor straight nor round, so nothing of it can be measured</source>
+      <translation>es ist weder eben noch gerade noch rund; daran lässt sich nichts messen</translation>
+    </message>
+    <message>
+      <source>its features are gone; choose its Features again, or delete it</source>
+      <translation>was es misst, ist nicht mehr da; wählen Sie Features neu oder löschen Sie es</translation>
+    </message>
+    <message>
+      <source>its features have Kind {0}, not {1}; change Kind, or choose its Features again</source>
+      <translation>was es misst, hat Kind {0}, nicht {1}; ändern Sie Kind oder wählen Sie Features neu</translation>
+    </message>
+    <message>
       <source>landscape</source>
       <translation>quer</translation>
     </message>
@@ -846,6 +978,10 @@
     <message>
       <source>off</source>
       <translation>aus</translation>
+    </message>
+    <message>
+      <source>one of both is neither flat nor straight nor round, so nothing is measured between them</source>
+      <translation>eines von beiden ist weder eben noch gerade noch rund; dazwischen lässt sich nichts messen</translation>
     </message>
     <message>
       <source>one pen: lines of one width as plain polylines, closer where it is dark</source>
@@ -916,6 +1052,10 @@
       <translation>wählen Sie eine Illustration, die gezeichnet ist</translation>
     </message>
     <message>
+      <source>select the illustration too: this document has several</source>
+      <translation>wählen Sie auch die Illustration: dieses Dokument hat mehrere</translation>
+    </message>
+    <message>
       <source>select two rows or more</source>
       <translation>zwei oder mehr Zeilen auswählen</translation>
     </message>
@@ -950,6 +1090,10 @@
     <message>
       <source>the template {0} is not there; choose another one in the preferences of Burin</source>
       <translation>die Vorlage {0} ist nicht da; wählen Sie eine andere in den Einstellungen von Burin</translation>
+    </message>
+    <message>
+      <source>there is no illustration yet; make one with New illustration first</source>
+      <translation>es gibt noch keine Illustration; machen Sie zuerst eine mit Neue Illustration</translation>
     </message>
     <message>
       <source>there is no line of the illustration here</source>
@@ -1000,6 +1144,14 @@
       <translation>{0} bei {1} mm</translation>
     </message>
     <message>
+      <source>{0} belongs to no illustration; delete it</source>
+      <translation>{0} gehört zu keiner Illustration; löschen Sie es</translation>
+    </message>
+    <message>
+      <source>{0} has its overall dimensions already; select faces or edges for others</source>
+      <translation>{0} hat die Hauptmaße schon; wählen Sie Flächen oder Kanten für andere Maße</translation>
+    </message>
+    <message>
       <source>{0} has no drawing that can be read ({1}); recompute it</source>
       <translation>{0} hat keine lesbare Zeichnung ({1}); berechnen Sie sie neu</translation>
     </message>
@@ -1016,8 +1168,16 @@
       <translation>{0} Illustrationen neu gezeichnet, {1} wie zuvor</translation>
     </message>
     <message>
+      <source>{0} is gone; choose its Features again, or delete it</source>
+      <translation>{0} ist nicht mehr da; wählen Sie Features neu oder löschen Sie das Maß</translation>
+    </message>
+    <message>
       <source>{0} is no longer in the document</source>
       <translation>{0} ist nicht mehr im Dokument</translation>
+    </message>
+    <message>
+      <source>{0} is not drawn here; add it to Sources, or delete the dimension</source>
+      <translation>{0} wird hier nicht gezeichnet; nehmen Sie es in Sources auf oder löschen Sie das Maß</translation>
     </message>
     <message>
       <source>{0} is not drawn yet; recompute it</source>
@@ -1026,6 +1186,10 @@
     <message>
       <source>{0} is not up to date.</source>
       <translation>{0} ist nicht auf dem neuesten Stand.</translation>
+    </message>
+    <message>
+      <source>{0} is selected as a whole; select faces, edges or vertices in the 3-D view</source>
+      <translation>{0} ist als Ganzes ausgewählt; wählen Sie Flächen, Kanten oder Eckpunkte in der 3D-Ansicht</translation>
     </message>
     <message>
       <source>{0} lines</source>
@@ -1112,6 +1276,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_CentreLines</name>
+    <message>
+      <source>Centre lines</source>
+      <translation>Mittellinien</translation>
+    </message>
+    <message>
+      <source>Draws the axes of round faces, and marks where these are seen along their axis; once more: leaves them out</source>
+      <translation>Zeichnet die Achsen runder Flächen und Kreuze, wo man sie in Achsrichtung sieht; noch einmal: lässt sie weg</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_Detail</name>
     <message>
       <source>Detail</source>
@@ -1120,6 +1295,17 @@
     <message>
       <source>Draws a place again beside the view, larger, in a circle: of the selected objects, or about a selected face, edge or point</source>
       <translation>Zeichnet eine Stelle neben der Ansicht noch einmal, größer, in einem Kreis: die ausgewählten Objekte, oder um eine ausgewählte Fläche, Kante oder Ecke</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_Dimension</name>
+    <message>
+      <source>Dimension</source>
+      <translation>Maß</translation>
+    </message>
+    <message>
+      <source>Writes a dimension of the selected faces, edges or vertices: a distance or an angle of two, the diameter or radius of a round one, the length of an edge; without any: width, depth and height</source>
+      <translation>Schreibt ein Maß der ausgewählten Flächen, Kanten oder Eckpunkte: Abstand oder Winkel von zweien, Durchmesser oder Radius einer runden, Länge einer Kante; ohne Auswahl: Breite, Tiefe und Höhe</translation>
     </message>
   </context>
   <context>
@@ -1296,6 +1482,17 @@
     <message>
       <source>Section</source>
       <translation>Schnitt</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_SectionView</name>
+    <message>
+      <source>Adds a section A-A as a view of its own to the sheet: through the selected flat face or datum plane, else across y through the middle; the other views stay whole</source>
+      <translation>Fügt dem Blatt einen Schnitt A-A als eigene Ansicht hinzu: durch die gewählte ebene Fläche oder Bezugsebene, sonst quer zu y durch die Mitte; die anderen Ansichten bleiben ganz</translation>
+    </message>
+    <message>
+      <source>Section view</source>
+      <translation>Schnittansicht</translation>
     </message>
   </context>
   <context>
