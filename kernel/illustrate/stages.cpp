@@ -199,8 +199,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     std::ranges::move(
         isophote_lines(*view.occluders, view.camera, view.isophotes, view.pen, context),
         std::back_inserter(features));
-    std::ranges::move(thread_lines(view.threads, proxies, view.camera, said, context),
-                      std::back_inserter(features));
+    add_thread_lines(view.threads, proxies, view.camera, features, said, context);
     features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),

@@ -16,9 +16,12 @@ using detail::Cylinder;
 
 /// Of diameters: how far a shaft may be off the major one.
 constexpr double kShaft = 0.015;
+/// The same of a hole that is as wide as the thread: clearance holes are wider.
+constexpr double kNominal = 0.005;
 /// A hole is no narrower than this share of the minor diameter; drills for forming threads are
-/// wider, by this share of the way to the major one at the most.
-constexpr double kNarrowest = 0.95, kWidest = 0.75;
+/// wider, by this share of the way to the major one at the most. Holes that are modelled as wide as
+/// the thread have it, too.
+constexpr double kNarrowest = 0.985, kWidest = 0.75;
 /// The minor diameter of a thread that no table has, of its major one.
 constexpr double kMinorShare = 0.85;
 /// Of a length: ends that are nearer to each other are one.
@@ -59,8 +62,8 @@ Size size_on(const WantedThread& wanted, double diameter, bool hollow) {
 }
 
 bool fits(const Size& size, double diameter, bool hollow) {
-  if (!hollow) return std::abs(diameter - size.major) <= kShaft * size.major;
-  return diameter >= kNarrowest * size.minor &&
+  if (std::abs(diameter - size.major) <= (hollow ? kNominal : kShaft) * size.major) return true;
+  return hollow && diameter >= kNarrowest * size.minor &&
          diameter <= size.minor + kWidest * (size.major - size.minor);
 }
 
@@ -86,6 +89,7 @@ struct ThreadFinder::Impl {
   Thread on(const Cylinder& cylinder, const Size& size) const;
   void limit(Thread& thread, const WantedThread& wanted) const;
   std::vector<const Cylinder*> asked(const WantedThread& wanted) const;
+  std::string no_cylinder(const WantedThread& wanted) const;
   static std::string none_fits(const WantedThread& wanted,
                                const std::vector<const Cylinder*>& asked);
 };
@@ -144,6 +148,19 @@ std::vector<const Cylinder*> ThreadFinder::Impl::asked(const WantedThread& wante
   return out;
 }
 
+std::string ThreadFinder::Impl::no_cylinder(const WantedThread& wanted) const {
+  if (!wanted.face) return "it has no cylinder";
+  const ProxyMesh& proxy = surface.proxy();
+  std::int32_t last = -1;
+  for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
+    last = std::max(last, proxy.face_source(t));
+  }
+  if (*wanted.face < 0 || *wanted.face > last) {
+    return fmt::format("it has no face {}; they are 0 to {}", *wanted.face, last);
+  }
+  return fmt::format("face {} is no cylinder", *wanted.face);
+}
+
 ThreadFinder::ThreadFinder(const Surface& surface, const RunContext& context)
     : impl_(std::make_unique<Impl>(surface, context)) {}
 ThreadFinder::~ThreadFinder() = default;
@@ -151,20 +168,11 @@ ThreadFinder::~ThreadFinder() = default;
 /// Why none of the cylinders is as wide as it has to be.
 std::string ThreadFinder::Impl::none_fits(const WantedThread& wanted,
                                           const std::vector<const Cylinder*>& asked) {
-  for (const Cylinder* one : asked) {
-    const double diameter = 2 * one->extent.radius;
-    const Size size = size_on(wanted, diameter, one->hollow);
-    if (!one->hollow || std::abs(diameter - size.major) > kShaft * size.major) continue;
-    return fmt::format(
-        "its hole is as wide as the thread, {:.4g} mm, and has to be as wide as the drill, {:.4g} "
-        "mm",
-        diameter, size.minor);
-  }
   const double first = 2 * asked.front()->extent.radius;
   const Size size = size_on(wanted, first, asked.front()->hollow);
-  std::string out =
-      fmt::format("it has no shaft of {:.4g} mm and no hole of {:.4g} to {:.4g} mm", size.major,
-                  kNarrowest * size.minor, size.minor + kWidest * (size.major - size.minor));
+  std::string out = fmt::format(
+      "it has no shaft of {0:.4g} mm and no hole of {1:.4g} to {2:.4g} or {0:.4g} mm", size.major,
+      kNarrowest * size.minor, size.minor + kWidest * (size.major - size.minor));
   if (wanted.face) out += fmt::format("; face {} has {:.4g} mm", *wanted.face, first);
   return out;
 }
@@ -173,8 +181,7 @@ FoundThreads ThreadFinder::find(const WantedThread& wanted) const {
   FoundThreads found;
   const std::vector<const Cylinder*> asked = impl_->asked(wanted);
   if (asked.empty()) {
-    found.missing = wanted.face ? fmt::format("face {} is no cylinder", *wanted.face)
-                                : std::string("it has no cylinder");
+    found.missing = impl_->no_cylinder(wanted);
     return found;
   }
   std::vector<std::pair<const Cylinder*, Size>> fitting;
@@ -205,6 +212,9 @@ FoundThreads ThreadFinder::find(const WantedThread& wanted) const {
       found.missing = fmt::format("its cylinder is {:.4g} mm long, and it begins at {:.4g} mm",
                                   whole, wanted.start);
       continue;
+    }
+    if (wanted.length && wanted.start + *wanted.length > (1 + kSameTold) * whole) {
+      found.shorter = fmt::format("its cylinder ends after {:.4g} mm", whole - wanted.start);
     }
     thread.designation =
         wanted.designation.empty() ? fmt::format("M{:g}", size.major) : wanted.designation;

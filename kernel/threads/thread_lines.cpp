@@ -1,3 +1,5 @@
+#include <burin/base/short_list.h>
+#include <burin/camera/view_grid.h>
 #include <burin/mesh/cut_faces.h>
 #include <burin/surface/tangent_basis.h>
 #include <burin/threads/thread_lines.h>
@@ -11,6 +13,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace burin {
@@ -37,8 +41,17 @@ constexpr double kBeyond = 1.5;
 constexpr double kChamfer = 2;
 /// Of the radius of the modelled cylinder: what the gap may take.
 constexpr double kMostGap = 0.5;
+/// A chamfer's circle is at least this wide, of the cylinder of a screw, and at most this of the
+/// thread in a hole; a chamfer is no steeper than 50 degrees to the end face.
+constexpr double kLeastChamfer = 0.5, kMostChamfer = 1.1, kSteepest = 1.2;
+/// Part of a mean normal that points from the axis or to it where a face is a chamfer, no bore.
+constexpr double kOutwards = 0.1;
 /// Pieces of a straight line in which its ends are looked for, and of a circle.
 constexpr int kPieces = 64, kRound = 180;
+
+bool is_along(Vec3 to_viewer, const Thread& thread) {
+  return glm::length(glm::cross(to_viewer, thread.axis.along)) < kEndOn;
+}
 
 /// The lines of one thread.
 class Lines {
@@ -69,9 +82,7 @@ class Lines {
   double end() const { return thread_.end + (thread_.open_end ? beyond_ : 0); }
   double middle() const { return 0.5 * (thread_.begin + thread_.end); }
 
-  bool seen_along(Vec3 point) const {
-    return glm::length(glm::cross(camera_.to_viewer(point), thread_.axis.along)) < kEndOn;
-  }
+  bool seen_along(Vec3 point) const { return is_along(camera_.to_viewer(point), thread_); }
 
   /// The directions from the axis to the outlines of the cylinder of the thin lines.
   std::vector<Vec3> outline_directions() const {
@@ -218,6 +229,8 @@ class Lines {
         return place;
       });
     }
+    // Who looks along the axis is not shown where the thread ends.
+    if (seen_along(at(height))) return;
     // At the end itself a ray may meet a shoulder.
     const double before = height - out * 1e-6 * length;
     round(LineClass::ThreadEnd, height, [&](Vec3 way) { return on_wall(height, before, way); });
@@ -277,6 +290,45 @@ class Lines {
   std::vector<Curve3>& out_;
 };
 
+/// Whether a crease is the circle in which the chamfer of an open end meets the face there.
+bool is_chamfer_circle(const Curve3& line, const Thread& thread, double end, double out) {
+  if (line.kind != LineClass::Crease || line.normals.size() != line.points.size()) return false;
+  const double sense = thread.internal ? -1 : 1;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const Vec3 across = thread.axis.to(line.points[i]);
+    const double radius = glm::length(across);
+    const double high =
+        out * (glm::dot(line.points[i] - thread.axis.point, thread.axis.along) - end);
+    const double least =
+        thread.internal ? (1 + kSlack) * thread.modelled : kLeastChamfer * thread.modelled;
+    const double most =
+        thread.internal ? kMostChamfer * thread.major : (1 - kSlack) * thread.modelled;
+    if (radius < least || radius > most) return false;
+    const double slant = kSteepest * std::abs(radius - thread.thin()) + kSlack * thread.modelled;
+    if (std::abs(high) > slant) return false;
+    if (sense * glm::dot(line.normals[i], across) < kOutwards * radius) return false;
+  }
+  return true;
+}
+
+/// ISO 6410 leaves out the circle of a chamfer where one looks along the axis: it would lie beside
+/// the three quarters of a circle.
+void leave_out_chamfers(std::span<const DrawnThreads> threads, const Camera& camera,
+                        std::vector<Curve3>& features) {
+  std::erase_if(features, [&](const Curve3& line) {
+    const auto part = static_cast<std::size_t>(line.source.part);
+    if (line.source.part < 0 || part >= threads.size()) return false;
+    return std::ranges::any_of(threads[part].threads, [&](const Thread& thread) {
+      const auto at_end = [&](double height, double out, bool open) {
+        const Vec3 end = thread.axis.point + height * thread.axis.along;
+        return open && !line.points.empty() && is_along(camera.to_viewer(end), thread) &&
+               is_chamfer_circle(line, thread, height, out);
+      };
+      return at_end(thread.begin, -1, thread.open_begin) || at_end(thread.end, 1, thread.open_end);
+    });
+  });
+}
+
 /// The radius of the thin lines; nothing where the sheet has no room for them.
 std::optional<double> thin_on_sheet(const Thread& thread, double gap, const Camera& camera) {
   const Vec3 middle = thread.axis.point + 0.5 * (thread.begin + thread.end) * thread.axis.along;
@@ -288,11 +340,14 @@ std::optional<double> thin_on_sheet(const Thread& thread, double gap, const Came
 
 }  // namespace
 
-std::vector<Curve3> thread_lines(std::span<const DrawnThreads> threads,
-                                 std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                                 Diagnostics& diagnostics, const RunContext& context) {
-  std::vector<Curve3> out;
-  std::int64_t small = 0;
+void add_thread_lines(std::span<const DrawnThreads> threads,
+                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
+                      std::vector<Curve3>& features, Diagnostics& diagnostics,
+                      const RunContext& context) {
+  std::set<std::string> small;
+  std::int64_t count = 0;
+  double needed = 0;
+  std::vector<DrawnThreads> large(threads.size());
   for (std::size_t part = 0; part < threads.size(); ++part) {
     const ProxyMesh& proxy = *proxies[part];
     if (threads[part].threads.empty() || proxy.mesh.triangles.empty()) continue;
@@ -303,18 +358,25 @@ std::vector<Curve3> thread_lines(std::span<const DrawnThreads> threads,
       if (thread.face < 0 || !(thread.end > thread.begin)) continue;
       const auto thin = thin_on_sheet(thread, threads[part].gap, camera);
       if (!thin) {
-        ++small;
+        ++count;
+        small.insert(thread.designation);
+        needed = std::max(needed, threads[part].gap / (kMostGap * thread.modelled));
         continue;
       }
-      Lines(thread, *thin, static_cast<std::int32_t>(part), rays, cuts, camera, out).draw();
+      large[part].threads.push_back(thread);
+      Lines(thread, *thin, static_cast<std::int32_t>(part), rays, cuts, camera, features).draw();
     }
   }
-  if (small > 0) {
-    diagnostics.add(Severity::Info, "threads.small", small,
-                    fmt::format("{} thread{} too small on paper for thin lines and {} none", small,
-                                small == 1 ? " is" : "s are", small == 1 ? "has" : "have"));
+  leave_out_chamfers(large, camera, features);
+  if (count > 0) {
+    diagnostics.add(
+        Severity::Warning, "threads.small", count,
+        fmt::format("{} thread{} ({}) too small on paper for thin lines and {} none; "
+                    "from a scale of {} on {} some",
+                    count, count == 1 ? " is" : "s are", short_list(small, 4),
+                    count == 1 ? "has" : "have", scale_text(1 / standard_scale(1 / needed)),
+                    count == 1 ? "it has" : "they have"));
   }
-  return out;
 }
 
 }  // namespace burin

@@ -82,8 +82,8 @@ struct Asked {
   WantedThread wanted;
   std::vector<std::size_t> parts;
   std::size_t found = 0;
-  /// Why a part has none.
-  std::string missing = {};
+  /// Why a part has none, and why one of its threads is shorter than asked.
+  std::string missing = {}, shorter = {};
 };
 
 std::vector<Asked> asked_of(const Scene& scene, const std::vector<ThreadRow>& rows) {
@@ -123,11 +123,22 @@ class Finding {
         lost_.insert(fmt::format("'{}': {}", part.name, one.designation));
       }
     }
+    std::vector<Thread> of_rows;
     for (Asked& row : asked) {
       if (!finder || !std::ranges::binary_search(row.parts, i)) continue;
       FoundThreads found = finder->find(row.wanted);
-      for (const Thread& one : found.threads) put(one, part.threads);
+      for (const Thread& one : found.threads) {
+        for (const Thread& other : of_rows) {
+          if (meet(one, other) && one.designation != other.designation) {
+            replaced_.insert(fmt::format("'{}': {} instead of {}", part.name, one.designation,
+                                         other.designation));
+          }
+        }
+        put(one, part.threads);
+      }
+      of_rows.insert(of_rows.end(), found.threads.begin(), found.threads.end());
       row.found += found.threads.size();
+      if (!found.shorter.empty()) row.shorter = fmt::format("'{}': {}", part.name, found.shorter);
       if (!found.missing.empty() && row.missing.empty()) {
         row.missing = fmt::format("'{}': {}", part.name, found.missing);
       }
@@ -137,11 +148,23 @@ class Finding {
 
   void report(const std::vector<Asked>& asked) {
     for (const Asked& one : asked) {
+      if (!one.shorter.empty()) {
+        scene_.diagnostics.add(Severity::Warning, "threads.shorter", 1,
+                               fmt::format("{}{} is shorter than its length: {}", one.row->place,
+                                           called(*one.row), one.shorter));
+      }
       if (one.found > 0) continue;
       scene_.diagnostics.add(
           Severity::Warning, "threads.no_face", 1,
           fmt::format("{}{} is not drawn: {}", one.row->place, called(*one.row),
                       one.missing.empty() ? "its parts are not drawn" : one.missing));
+    }
+    if (!replaced_.empty()) {
+      scene_.diagnostics.add(
+          Severity::Warning, "threads.replaced", static_cast<std::int64_t>(replaced_.size()),
+          fmt::format("of two threads on one cylinder the last is drawn: {}; name the cylinder by "
+                      "`face` or `at`",
+                      short_list(replaced_, 4)));
     }
     if (!lost_.empty()) {
       scene_.diagnostics.add(
@@ -174,18 +197,20 @@ class Finding {
     }
   }
 
+  static bool meet(const Thread& a, const Thread& b) {
+    return a.face == b.face && a.begin < b.end && b.begin < a.end;
+  }
+
   /// Over another one on its face that it meets.
   static void put(const Thread& thread, std::vector<Thread>& all) {
-    std::erase_if(all, [&](const Thread& other) {
-      return other.face == thread.face && other.begin < thread.end && thread.begin < other.end;
-    });
+    std::erase_if(all, [&](const Thread& other) { return meet(thread, other); });
     all.push_back(thread);
   }
 
   Scene& scene_;
   const Illustration& illustration_;
   RunContext& context_;
-  std::set<std::string> lost_;
+  std::set<std::string> lost_, replaced_;
   std::set<double> without_table_;
 };
 

@@ -1,108 +1,7 @@
-/// Threads of a bolt and of a plate, as a drawing shows them.
+#include "threads.h"
 
-#include <burin/arrange/arrange.h>
-#include <burin/base/error.h>
-#include <burin/surface/placed_form.h>
-#include <burin/threads/metric.h>
-
-#include <BRepAlgoAPI_Cut.hxx>
-#include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepPrimAPI_MakeCone.hxx>
-#include <burin_test/brep_shapes.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-namespace burin {
+namespace burin::test {
 namespace {
-
-const double kMinorM10 = minor_diameter(10, 1.5), kMinorM6 = minor_diameter(6, 1);
-
-gp_Ax2 up_from(double x, double y, double z) { return {gp_Pnt(x, y, z), gp_Dir(0, 0, 1)}; }
-
-/// M10: a head from z = 0 to 6, a shaft down to z = -39, a chamfer of 1 mm to z = -40.
-TopoDS_Shape bolt_shape() {
-  const TopoDS_Shape head = BRepPrimAPI_MakeCylinder(up_from(0, 0, 0), 9, 6).Shape();
-  const TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(up_from(0, 0, -39), 5, 39).Shape();
-  const TopoDS_Shape tip = BRepPrimAPI_MakeCone(up_from(0, 0, -40), 4, 5, 1).Shape();
-  return BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(head, shaft).Shape(), tip).Shape();
-}
-
-/// 60 x 40 x 20 with a drill of 5 mm all through at 15, 20 and one of 8.5 mm, 14 deep, at 42, 20.
-TopoDS_Shape plate_shape() {
-  const TopoDS_Shape plate = test::box_shape(60, 40, 20);
-  const TopoDS_Shape through = BRepPrimAPI_MakeCylinder(up_from(15, 20, -5), 2.5, 30).Shape();
-  const TopoDS_Shape blind = BRepPrimAPI_MakeCylinder(up_from(42, 20, 6), 4.25, 20).Shape();
-  return BRepAlgoAPI_Cut(BRepAlgoAPI_Cut(plate, through).Shape(), blind).Shape();
-}
-
-Scene scene_of(const std::vector<std::pair<std::string, TopoDS_Shape>>& parts) {
-  Scene scene;
-  for (const auto& [name, shape] : parts) {
-    scene.parts.push_back({.name = name, .source = "", .form = test::brep_form(shape)});
-  }
-  return scene;
-}
-
-ThreadRow row(const std::string& select, const std::string& size) {
-  ThreadRow out;
-  out.select = {select};
-  out.size = size;
-  return out;
-}
-
-Illustration seen_from(Vec3 direction, Vec3 up, std::vector<ThreadRow> threads) {
-  Illustration out;
-  out.style = builtin_style("outline");
-  out.view.direction = direction;
-  out.view.up = up;
-  out.view.scale = 2;
-  out.thread_rows = std::move(threads);
-  return out;
-}
-
-const Vec3 kY(0, 1, 0), kZ(0, 0, 1);
-
-/// The paths of threads, of one kind, seen or hidden.
-std::vector<Path> paths_of(const Drawing& drawing, LineClass kind, bool visible = true) {
-  std::vector<Path> out;
-  for (const Layer& layer : drawing.layers) {
-    for (const Path& path : layer.paths) {
-      if (path.kind == kind && path.visible == visible) out.push_back(path);
-    }
-  }
-  return out;
-}
-
-Drawing drawn(Scene scene, Illustration illustration) {
-  RunContext context;
-  return illustrate(std::move(scene), std::move(illustration), context);
-}
-
-double length(const Path& path) {
-  double sum = 0;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    sum += glm::distance(path.points[i - 1], path.points[i]);
-  }
-  return sum;
-}
-
-/// Paper mm from the vertical line through the middle of the sheet, where the axis is.
-struct Extent {
-  double low, high;
-};
-Extent across(const Path& path, int coordinate) {
-  Extent out{1e300, -1e300};
-  for (const Vec2& p : path.points) {
-    out.low = std::min(out.low, p[coordinate]);
-    out.high = std::max(out.high, p[coordinate]);
-  }
-  return out;
-}
 
 TEST(Threads, OfABoltSeenFromTheSideAreTwoLinesAtTheMinorDiameter) {
   const Drawing d =
@@ -141,6 +40,39 @@ TEST(Threads, SeenFromTheEndAreThreeQuartersOfACircle) {
     turned += std::atan2(cross2(before, from), glm::dot(before, from));
   }
   EXPECT_NEAR(std::abs(turned) * 180 / std::numbers::pi, 270, 1e-6);
+}
+
+TEST(Threads, SeenFromTheEndHaveNoCircleOfTheirChamfer) {
+  const auto circles = [](std::vector<ThreadRow> rows) {
+    const Drawing d =
+        drawn(scene_of({{"bolt", bolt_shape()}}), seen_from(-kZ, kY, std::move(rows)));
+    std::size_t count = 0;
+    for (const Path& path : paths_of(d, LineClass::Crease)) {
+      count += std::ranges::all_of(
+          path.points3, [](Vec3 p) { return std::abs(glm::length(Vec2(p)) - 4) < 0.01; });
+    }
+    return count;
+  };
+  EXPECT_EQ(circles({}), 1U);
+  EXPECT_EQ(circles({row("bolt", "M10")}), 0U);
+  // From the side the chamfer has its line.
+  const Drawing side =
+      drawn(scene_of({{"bolt", bolt_shape()}}), seen_from(-kY, kZ, {row("bolt", "M10")}));
+  EXPECT_TRUE(std::ranges::any_of(paths_of(side, LineClass::Crease), [](const Path& path) {
+    return std::ranges::all_of(path.points3, [](Vec3 p) { return std::abs(p.z + 39) < 1e-6; });
+  }));
+}
+
+// The quarter that is open stays open where hidden lines are drawn.
+TEST(Threads, SeenFromTheEndDoNotShowWhereTheyEnd) {
+  ThreadRow thread = row("plate", "M10");
+  thread.length = 10;
+  Illustration asked = seen_from(kZ, kY, {thread});
+  asked.illustrate.hidden = HiddenLines::Dashed;
+  const Drawing d = drawn(scene_of({{"plate", plate_shape()}}), asked);
+  EXPECT_EQ(paths_of(d, LineClass::Thread).size(), 1U);
+  EXPECT_TRUE(paths_of(d, LineClass::ThreadEnd, false).empty());
+  EXPECT_TRUE(paths_of(d, LineClass::ThreadEnd).empty());
 }
 
 TEST(Threads, ThatEndOnAShaftHaveAWideLineThere) {
@@ -249,9 +181,9 @@ TEST(Threads, GoWithPartsThatComeApart) {
   Illustration asked = seen_from(-kY, kZ, {row("bolt", "M10")});
   asked.explode.wanted = true;
   asked.explode.steps = {{.move = {"bolt"}, .along = kZ, .by = 50}};
-  const auto lines = paths_of(
-      drawn(scene_of({{"bolt", bolt_shape()}, {"block", test::box_shape(30, 30, 30)}}), asked),
-      LineClass::Thread);
+  const auto lines =
+      paths_of(drawn(scene_of({{"bolt", bolt_shape()}, {"block", box_shape(30, 30, 30)}}), asked),
+               LineClass::Thread);
   ASSERT_EQ(lines.size(), 2U);
   for (const Path& line : lines) {
     double top = -1e300;
@@ -292,8 +224,13 @@ TEST(Threads, KeepADistanceOnSmallDrawings) {
   const Drawing tiny = drawn(scene_of({{"bolt", bolt_shape()}}), asked);
   EXPECT_TRUE(paths_of(tiny, LineClass::Thread).empty());
   EXPECT_TRUE(std::ranges::any_of(tiny.diagnostics.entries(), [](const Diagnostic& one) {
-    return one.code == "threads.small" && one.count == 1;
+    return one.code == "threads.small" && one.severity == Severity::Warning && one.count == 1 &&
+           one.message.find("(M10)") != std::string::npos &&
+           one.message.find("from a scale of 1:2 on it has some") != std::string::npos;
   }));
+  asked.view.scale = 0.5;
+  EXPECT_EQ(paths_of(drawn(scene_of({{"bolt", bolt_shape()}}), asked), LineClass::Thread).size(),
+            2U);
 }
 
 TEST(Threads, ObliqueLinesLieOnThePartAndTheProofHolds) {
@@ -337,72 +274,5 @@ TEST(Threads, CanBeTurnedOff) {
       paths_of(drawn(scene_of({{"bolt", bolt_shape()}}), asked), LineClass::Thread).empty());
 }
 
-std::string refused(const ThreadRow& thread) {
-  try {
-    drawn(scene_of({{"bolt", bolt_shape()}}), seen_from(-kY, kZ, {thread}));
-  } catch (const UsageError& e) {
-    return e.what();
-  }
-  return {};
-}
-
-TEST(Threads, ThatSayNothingAreRefusedInOneLine) {
-  EXPECT_NE(refused(row("blot", "M10")).find("'bolt'"), std::string::npos)
-      << refused(row("blot", "M10"));
-  EXPECT_NE(refused(row("bolt", "6 mm")).find("'6 mm' is no size"), std::string::npos);
-  EXPECT_NE(refused(row("bolt", "M10x40")).find("too long"), std::string::npos);
-  EXPECT_NE(refused(row("bolt", "")).find("a thread has a size"), std::string::npos);
-  ThreadRow short_one = row("bolt", "M10");
-  short_one.length = -1;
-  EXPECT_NE(refused(short_one).find("length takes"), std::string::npos);
-  ThreadRow odd = row("bolt", "M10");
-  odd.minor = 11;
-  EXPECT_NE(refused(odd).find("minor diameter"), std::string::npos);
-}
-
-std::string told(const ThreadRow& thread, const TopoDS_Shape& shape, const std::string& id) {
-  const Drawing d = drawn(scene_of({{"part", shape}}), seen_from(-kY, kZ, {thread}));
-  for (const Diagnostic& one : d.diagnostics.entries()) {
-    if (one.code == id) return one.message;
-  }
-  return {};
-}
-
-TEST(Threads, WithoutACylinderOfTheirSizeAreToldOf) {
-  EXPECT_NE(told(row("part", "M8"), bolt_shape(), "threads.no_face").find("no shaft of 8 mm"),
-            std::string::npos);
-  // A hole as wide as the thread itself is not drilled for it.
-  EXPECT_NE(told(row("part", "M4"), test::plate_with_hole_shape(), "threads.no_face")
-                .find("as wide as the thread"),
-            std::string::npos);
-}
-
-TEST(Threads, AreOnTheCylinderNextToAPoint) {
-  ThreadRow near = row("part", "M6");
-  near.at = Vec3(15, 20, 20);
-  near.length = 5;
-  Illustration asked = seen_from(-kY, kZ, {near});
-  asked.sections.push_back({.planes = {{.axis = kY, .side = -1, .offset = 20.0}}});
-  const auto lines = paths_of(drawn(scene_of({{"part", plate_shape()}}), asked), LineClass::Thread);
-  ASSERT_EQ(lines.size(), 2U);
-  for (const Path& line : lines) {
-    for (const Vec3& p : line.points3) EXPECT_GE(p.z, 15 - 1e-6) << "from the end near the point";
-  }
-  near.at = Vec3(15, 20, 60);
-  EXPECT_NE(told(near, plate_shape(), "threads.no_face").find("40 mm from its point"),
-            std::string::npos);
-  near.at.reset();
-  near.start = 25;
-  EXPECT_NE(told(near, plate_shape(), "threads.no_face").find("20 mm long"), std::string::npos);
-}
-
-TEST(Threads, WithoutARowOfTheTableSayWhatTheyAreDrawnAs) {
-  ThreadRow thread = row("part", "");
-  thread.diameter = 9.95;  // of a shaft of 10
-  EXPECT_NE(told(thread, bolt_shape(), "threads.no_table").find("0.85"), std::string::npos);
-  thread.pitch = 1.5;
-  EXPECT_EQ(told(thread, bolt_shape(), "threads.no_table"), "");
-}
-
 }  // namespace
-}  // namespace burin
+}  // namespace burin::test

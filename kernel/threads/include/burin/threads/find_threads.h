@@ -28,8 +28,10 @@ struct WantedThread {
 
 struct FoundThreads {
   std::vector<Thread> threads;
-  /// Why there is none: "no shaft of 6 mm and no hole of 4.9 to 5.7 mm"; else empty.
+  /// Why there is none: "no shaft of 6 mm and no hole of 4.9 to 5.7 or 6 mm"; else empty.
   std::string missing;
+  /// Why one is shorter than wanted: "its cylinder ends after 20 mm"; else empty.
+  std::string shorter = {};
   /// The diameters of which ISO 261 has no coarse thread; the minor one is then 0.85 of them.
   std::vector<double> without_table;
 };
@@ -42,8 +44,9 @@ class ThreadFinder {
   ThreadFinder(const Surface& surface, const RunContext& context);
   ~ThreadFinder();
 
-  /// Shafts as wide as the major diameter (within 1.5 %) have a thread; so have holes of 0.95 times
-  /// the minor diameter up to three quarters of the way to the major one.
+  /// Shafts as wide as the major diameter (within 1.5 %) have a thread; so have holes of 0.985
+  /// times the minor diameter up to three quarters of the way to the major one, and those as wide
+  /// as that (within 0.5 %).
   FoundThreads find(const WantedThread& wanted) const;
   /// A thread that an input tells with its axis, on the face that it is on; nothing where no
   /// cylinder of such a radius has that axis.
