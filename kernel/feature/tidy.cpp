@@ -23,7 +23,10 @@ void reverse(Curve3& c) {
   std::ranges::reverse(c.self_hidden);
 }
 
-bool joinable(const Curve3& c) { return c.kind == LineClass::Contour && !c.closed; }
+// What is drawn as the border of the object alone stays apart from what is drawn anyway.
+bool joinable(const Curve3& c) {
+  return c.kind == LineClass::Contour && !c.closed && !c.border_alone;
+}
 
 /// Which curves end at which points.
 class Ends {

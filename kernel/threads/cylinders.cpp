@@ -96,11 +96,13 @@ std::vector<Cylinder> cylinders_of(const Surface& surface, const RunContext& con
   return out;
 }
 
-std::optional<double> open_end(const Cylinder& cylinder, double thin, bool high,
-                               const Surface& surface, const OwnRays& rays) {
+namespace {
+
+/// As `open_end`, by rays that begin `within` mm from the end.
+std::optional<double> open_from(const Cylinder& cylinder, double thin, bool high, double within,
+                                const Surface& surface, const OwnRays& rays) {
   const auto& [turn, low, top, radius] = cylinder.extent;
   const double end = high ? top : low, out = high ? 1 : -1;
-  const double within = std::min(0.5 * (top - low), 0.25 * radius);
   const Vec3 start = cylinder.at(end - out * within), along = out * cylinder.axis.along;
   const double far = within + kChamfer * radius;
   const TangentBasis across(cylinder.axis.along);
@@ -123,6 +125,17 @@ std::optional<double> open_end(const Cylinder& cylinder, double thin, bool high,
   }
   if (open < kOpen) return std::nullopt;
   return farthest;
+}
+
+}  // namespace
+
+std::optional<double> open_end(const Cylinder& cylinder, double thin, bool high,
+                               const Surface& surface, const OwnRays& rays) {
+  const double half = 0.5 * (cylinder.extent.high - cylinder.extent.low);
+  const double near = std::min(half, 0.25 * cylinder.extent.radius);
+  if (const auto end = open_from(cylinder, thin, high, near, surface, rays)) return end;
+  // Where the end is oblique most of these begin outside of the part.
+  return open_from(cylinder, thin, high, half, surface, rays);
 }
 
 }  // namespace burin::detail

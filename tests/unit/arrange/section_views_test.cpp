@@ -5,6 +5,9 @@
 #include <burin/drawing/font.h>
 #include <burin/forms/mesh/mesh_form.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <burin_test/brep_shapes.h>
 #include <burin_test/mesh_checks.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
@@ -108,6 +111,32 @@ TEST_F(SectionViews, GoRoundTheCornersOfSteps) {
   ASSERT_EQ(course.size(), 4U);
   EXPECT_NEAR(glm::distance(course[1], top.to_paper({40, 12, 0})), 0, 1e-9);
   EXPECT_NEAR(glm::distance(course[2], top.to_paper({40, 30, 0})), 0, 1e-9);
+}
+
+// The outline of a drill that is cut along its axis and the edge of the step meet in the corners of
+// the cut face; they are different lines.
+TEST_F(SectionViews, OfRoundPartsHaveNoLineAtAStep) {
+  const TopoDS_Shape drill =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 20, -5), gp_Dir(0, 0, 1)), 4.25, 50).Shape();
+  scene_.parts = {{"plate", "a.step",
+                   test::brep_form(BRepAlgoAPI_Cut(test::box_shape(100, 60, 20), drill).Shape())}};
+  plan_.views = {};
+  plan_.view.direction = {0, -1, 0};
+  Section steps;
+  steps.planes = {{.axis = {0, 1, 0}, .side = -1, .offset = 20},
+                  {.axis = {1, 0, 0}, .side = 1, .offset = 35},
+                  {.axis = {0, 1, 0}, .side = -1, .offset = 45}};
+  steps.steps = true;
+  plan_.sections = {steps};
+  const Drawing drawing = illustrate(std::move(scene_), std::move(plan_), context_);
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      EXPECT_FALSE(
+          path.visible &&
+          std::ranges::all_of(path.points3, [](Vec3 p) { return std::abs(p.x - 35) < 1e-6; }))
+          << to_string(path.kind);
+    }
+  }
 }
 
 TEST_F(SectionViews, StandInTheFreePlaceOfTheViewFromTheirSide) {

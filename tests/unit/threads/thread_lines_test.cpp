@@ -267,6 +267,28 @@ TEST(Threads, OfPerspectiveViewsTouchTheCylinderOfTheRoots) {
   EXPECT_GE(straight, 2);
 }
 
+// A drill that leaves a plate at a slant: its thread goes to where the last of it leaves.
+TEST(Threads, OfObliqueHolesEndAtTheFaces) {
+  const gp_Ax2 slanted(gp_Pnt(30 - 20, 20, 10 - 20 * std::sqrt(3)), gp_Dir(1, 0, std::sqrt(3)));
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(slanted, 4.25, 80).Shape();
+  const TopoDS_Shape plate = BRepAlgoAPI_Cut(box_shape(60, 40, 20), drill).Shape();
+  Illustration asked = seen_from(-kY, kZ, {row("plate", "M10")});
+  asked.illustrate.hidden = HiddenLines::Dashed;
+  const Drawing d = drawn(scene_of({{"plate", plate}}), asked);
+  EXPECT_TRUE(paths_of(d, LineClass::ThreadEnd).empty());
+  EXPECT_TRUE(paths_of(d, LineClass::ThreadEnd, false).empty());
+  const auto lines = paths_of(d, LineClass::Thread, false);
+  ASSERT_EQ(lines.size(), 2U);
+  for (const Path& line : lines) {
+    double low = 1e300, high = -1e300;
+    for (const Vec3& p : line.points3) low = std::min(low, p.z), high = std::max(high, p.z);
+    // The gap on paper sets them off from where the last of the hole leaves.
+    EXPECT_GE(low, 0);
+    EXPECT_LE(high, 20);
+    EXPECT_GT(high - low, 19.7);
+  }
+}
+
 TEST(Threads, CanBeTurnedOff) {
   Illustration asked = seen_from(-kY, kZ, {row("bolt", "M10")});
   asked.style.feature.threads = false;
