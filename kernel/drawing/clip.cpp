@@ -1,6 +1,8 @@
 #include <burin/drawing/clip.h>
 #include <burin/planar/segment_in_box.h>
 
+#include "breaks/strip_edge.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -31,6 +33,23 @@ std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Disc& disc
   return std::pair(t0, t1);
 }
 
+// A segment over which the edges of the strip are straight.
+std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Strip& strip) {
+  const double at_a = strip.at(a), at_b = strip.at(b), way = at_b - at_a;
+  if (way == 0) {
+    if (at_a < strip.low || at_a > strip.high) return {};
+    return std::pair(0.0, 1.0);
+  }
+  const double u = (strip.low - at_a) / way, v = (strip.high - at_a) / way;
+  const double from = std::max(0.0, std::min(u, v)), to = std::min(1.0, std::max(u, v));
+  if (!(from <= to)) return {};
+  return std::pair(from, to);
+}
+
+bool contains(const Strip& strip, Vec2 p) {
+  const double at = strip.at(p);
+  return at >= strip.low && at <= strip.high;
+}
 bool contains(const Box2& window, Vec2 p) { return window.contains(p); }
 bool contains(const Disc& disc, Vec2 p) { return glm::distance(p, disc.center) <= disc.radius; }
 
@@ -187,6 +206,13 @@ std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView*
   return cut(path, disc, view);
 }
 
+bool lies_in(const Path& path, const Strip& strip) {
+  return all_in(strip.edge.empty() ? path : detail::refined(path, strip), strip);
+}
+std::vector<Path> clipped(const Path& path, const Strip& strip, const DrawingView* view) {
+  return cut(detail::refined(path, strip), strip, view);
+}
+
 namespace {
 
 /// Counterclockwise corners of a convex polygon.
@@ -205,23 +231,26 @@ std::vector<Vec2> polygon_of(const Disc& disc) {
   return corners;
 }
 
+/// What is left of a ring where a function is not negative; it is even along each of its sides.
+std::vector<Vec2> kept_of(const std::vector<Vec2>& ring, const auto& inside) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
+    const double a = inside(p), b = inside(q);
+    if (a >= 0) kept.push_back(p);
+    if ((a >= 0) != (b >= 0)) kept.push_back(glm::mix(p, q, a / (a - b)));
+  }
+  return kept;
+}
+
 /// What is left of a ring in a convex polygon. Where it comes in again, its pieces hang together by
 /// sides along the polygon, one over the other: the even-odd rule does not see them. @cite
 /// SutherlandHodgman1974
 std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, std::span<const Vec2> polygon) {
   for (std::size_t k = 0; k < polygon.size() && !ring.empty(); ++k) {
     const Vec2 corner = polygon[k], side = polygon[(k + 1) % polygon.size()] - corner;
-    const auto inside = [&](Vec2 p) {
-      return side.x * (p.y - corner.y) - side.y * (p.x - corner.x);
-    };
-    std::vector<Vec2> kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
-      const double a = inside(p), b = inside(q);
-      if (a >= 0) kept.push_back(p);
-      if ((a >= 0) != (b >= 0)) kept.push_back(glm::mix(p, q, a / (a - b)));
-    }
-    ring = std::move(kept);
+    ring = kept_of(ring,
+                   [&](Vec2 p) { return side.x * (p.y - corner.y) - side.y * (p.x - corner.x); });
   }
   return ring;
 }
@@ -261,6 +290,22 @@ void clip_all(const Window& window, Drawing& drawing) {
 }
 
 }  // namespace
+
+std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, const Strip& strip) {
+  const auto is_in = [&](Vec2 p) { return contains(strip, p); };
+  ring = detail::refined_ring(std::move(ring), strip);
+  if (std::ranges::all_of(ring, is_in)) return ring;
+  // What runs along the sides follows their edges once they are cut.
+  if (std::isfinite(strip.low)) {
+    ring = kept_of(ring, [&](Vec2 p) { return strip.at(p) - strip.low; });
+    ring = detail::along_edge(std::move(ring), strip, strip.low);
+  }
+  if (std::isfinite(strip.high)) {
+    ring = kept_of(ring, [&](Vec2 p) { return strip.high - strip.at(p); });
+    ring = detail::along_edge(std::move(ring), strip, strip.high);
+  }
+  return ring;
+}
 
 void clip_to(const Box2& window, Drawing& drawing) { clip_all(window, drawing); }
 void clip_to(const Disc& disc, Drawing& drawing) { clip_all(disc, drawing); }
