@@ -231,26 +231,23 @@ std::vector<Vec2> polygon_of(const Disc& disc) {
   return corners;
 }
 
-/// What is left of a ring where a function is not negative; it is even along each of its sides.
-std::vector<Vec2> kept_of(const std::vector<Vec2>& ring, const auto& inside) {
-  std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
-    const double a = inside(p), b = inside(q);
-    if (a >= 0) kept.push_back(p);
-    if ((a >= 0) != (b >= 0)) kept.push_back(glm::mix(p, q, a / (a - b)));
-  }
-  return kept;
-}
-
 /// What is left of a ring in a convex polygon. Where it comes in again, its pieces hang together by
 /// sides along the polygon, one over the other: the even-odd rule does not see them. @cite
 /// SutherlandHodgman1974
 std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, std::span<const Vec2> polygon) {
   for (std::size_t k = 0; k < polygon.size() && !ring.empty(); ++k) {
     const Vec2 corner = polygon[k], side = polygon[(k + 1) % polygon.size()] - corner;
-    ring = kept_of(ring,
-                   [&](Vec2 p) { return side.x * (p.y - corner.y) - side.y * (p.x - corner.x); });
+    const auto inside = [&](Vec2 p) {
+      return side.x * (p.y - corner.y) - side.y * (p.x - corner.x);
+    };
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
+      const double a = inside(p), b = inside(q);
+      if (a >= 0) kept.push_back(p);
+      if ((a >= 0) != (b >= 0)) kept.push_back(glm::mix(p, q, a / (a - b)));
+    }
+    ring = std::move(kept);
   }
   return ring;
 }
@@ -290,22 +287,6 @@ void clip_all(const Window& window, Drawing& drawing) {
 }
 
 }  // namespace
-
-std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, const Strip& strip) {
-  const auto is_in = [&](Vec2 p) { return contains(strip, p); };
-  ring = detail::refined_ring(std::move(ring), strip);
-  if (std::ranges::all_of(ring, is_in)) return ring;
-  // What runs along the sides follows their edges once they are cut.
-  if (std::isfinite(strip.low)) {
-    ring = kept_of(ring, [&](Vec2 p) { return strip.at(p) - strip.low; });
-    ring = detail::along_edge(std::move(ring), strip, strip.low);
-  }
-  if (std::isfinite(strip.high)) {
-    ring = kept_of(ring, [&](Vec2 p) { return strip.high - strip.at(p); });
-    ring = detail::along_edge(std::move(ring), strip, strip.high);
-  }
-  return ring;
-}
 
 void clip_to(const Box2& window, Drawing& drawing) { clip_all(window, drawing); }
 void clip_to(const Disc& disc, Drawing& drawing) { clip_all(disc, drawing); }

@@ -15,10 +15,10 @@ std::vector<Strip> strips_of(const PaperBreaks& breaks, std::span<const Vec2> ed
   std::vector<Strip> strips;
   double low = -kFar;
   for (const PaperBreaks::Band& band : breaks.bands) {
-    strips.push_back({breaks.along, low, band.low, {edge.begin(), edge.end()}});
+    strips.push_back({low, band.low, breaks.along, {edge.begin(), edge.end()}});
     low = band.high;
   }
-  strips.push_back({breaks.along, low, kFar, {edge.begin(), edge.end()}});
+  strips.push_back({low, kFar, breaks.along, {edge.begin(), edge.end()}});
   return strips;
 }
 
@@ -85,10 +85,9 @@ void break_up(const PaperBreaks& breaks, std::span<const Vec2> edge, std::vector
     if (!area.role.empty()) continue;
     std::vector<std::vector<Vec2>> kept;
     for (std::size_t i = 0; i < strips.size(); ++i) {
-      for (const std::vector<Vec2>& ring : area.rings) {
-        std::vector<Vec2> piece = clipped_ring(ring, strips[i]);
+      for (std::vector<Vec2>& piece : clipped_rings(area.rings, strips[i])) {
         for (Vec2& p : piece) p += breaks.shift(i);
-        if (piece.size() >= 3) kept.push_back(std::move(piece));
+        kept.push_back(std::move(piece));
       }
     }
     area.rings = std::move(kept);

@@ -83,25 +83,5 @@ std::vector<Vec2> refined_ring(std::vector<Vec2> ring, const Strip& strip) {
   return refined(path, strip).points;
 }
 
-std::vector<Vec2> along_edge(std::vector<Vec2> ring, const Strip& strip, double side) {
-  if (strip.edge.empty()) return ring;
-  constexpr double kOn = 1e-9;  // paper mm: rounding
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
-    out.push_back(p);
-    if (std::abs(strip.at(p) - side) > kOn || std::abs(strip.at(q) - side) > kOn) continue;
-    const double from = glm::dot(strip.across(), p), to = glm::dot(strip.across(), q);
-    std::vector<Vec2> between;
-    for (const Vec2& point : strip.edge) {
-      if (point.x <= std::min(from, to) || point.x >= std::max(from, to)) continue;
-      between.push_back(point.x * strip.across() + (side + point.y) * strip.along);
-    }
-    if (to < from) std::ranges::reverse(between);
-    out.insert(out.end(), between.begin(), between.end());
-  }
-  return out;
-}
-
 }  // namespace detail
 }  // namespace burin

@@ -12,7 +12,4 @@ namespace burin::detail {
 Path refined(const Path& path, const Strip& strip);
 std::vector<Vec2> refined_ring(std::vector<Vec2> ring, const Strip& strip);
 
-/// A ring that was cut at a side of a strip: what joins its pieces follows the edge of that.
-std::vector<Vec2> along_edge(std::vector<Vec2> ring, const Strip& strip, double side);
-
 }  // namespace burin::detail

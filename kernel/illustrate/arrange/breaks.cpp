@@ -136,13 +136,12 @@ class BreakFinder {
       any = true;
     }
     if (any) return;
+    const auto at = [&](double share) { return std::lerp(whole_.first, whole_.second, share); };
     scene_.diagnostics.add(
         Severity::Warning, "break.not_found", 1,
         fmt::format("{}nothing is broken: no long stretch along {} keeps its cross-section; name "
-                    "one, as {}",
-                    one.place, axis_text(axis_),
-                    break_text(axis_, {std::lerp(whole_.first, whole_.second, 0.25),
-                                       std::lerp(whole_.first, whole_.second, 0.75)})));
+                    "one, as {}:{:.3g}..{:.3g}",
+                    one.place, axis_text(axis_), axis_text(axis_), at(0.25), at(0.75)));
   }
 
   Scene& scene_;

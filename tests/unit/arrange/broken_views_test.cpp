@@ -119,7 +119,7 @@ TEST_F(BrokenViews, ShowBothEndsAsTheWholeViewDoes) {
   plan_.breaks.clear();
   draw();
   const Vec2 up(0, 1);
-  const Strip low{up, -1e9, view().at({0, 0, 50}).y}, high{up, view().at({0, 0, 350}).y, 1e9};
+  const Strip low{-1e9, view().at({0, 0, 50}).y, up}, high{view().at({0, 0, 350}).y, 1e9, up};
   double whole = 0;
   for (const Path& path : lines()) {
     for (const Strip& end : {low, high}) {
@@ -207,7 +207,6 @@ TEST_F(BrokenViews, MeasureTheTrueLength) {
   for (const double at : {foot, top}) {
     EXPECT_TRUE(std::ranges::any_of(tips, [&](double y) { return std::abs(y - at) < 1e-9; })) << at;
   }
-  EXPECT_FALSE(tells("dimensions.not_drawn"));
 }
 
 TEST_F(BrokenViews, TellOfDimensionsOfWhatIsLeftOut) {
@@ -266,9 +265,10 @@ TEST_F(BrokenViews, StandInLineOnASheetOfViews) {
   EXPECT_FALSE(tells("sheet.clipped"));
   EXPECT_EQ(test::count_of(drawing_.diagnostics, "break.not_shown"), 0);
   for (const SheetView& one : drawing_.views) {
+    const Box2 wide{one.box.min - 1e-6, one.box.max + 1e-6};
     for (const Path& path : lines()) {
       int inside = 0;
-      for (const Vec2& p : path.points) inside += one.box.contains(p) ? 1 : 0;
+      for (const Vec2& p : path.points) inside += wide.contains(p) ? 1 : 0;
       EXPECT_TRUE(inside == 0 || inside == static_cast<int>(path.points.size())) << one.name;
     }
   }

@@ -17,7 +17,7 @@ PaperBreaks two_bands() {
   return {.along = {1, 0}, .bands = {{10, 30}, {50, 53}}, .gap = 4, .offset = {1, 2}};
 }
 
-Path line(std::vector<Vec2> points, bool closed = false) {
+Path path_of(std::vector<Vec2> points, bool closed = false) {
   Path p;
   p.closed = closed;
   for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
@@ -52,8 +52,8 @@ TEST(PaperBreaks, MovesEachPieceAsAWhole) {
 }
 
 TEST(BreakUp, CutsLinesAndMovesWhatIsLeft) {
-  Drawing drawing = drawing_of(
-      {line({{0, 5}, {60, 5}}), line({{12, 0}, {28, 9}}), line({{40, 0}, {42, 0}, {42, 3}}, true)});
+  Drawing drawing = drawing_of({path_of({{0, 5}, {60, 5}}), path_of({{12, 0}, {28, 9}}),
+                                path_of({{40, 0}, {42, 0}, {42, 3}}, true)});
   break_up({.along = {1, 0}, .bands = {{10, 30}}, .gap = 4}, {}, drawing);
   const std::vector<Path>& paths = drawing.layers[0].paths;
   ASSERT_EQ(paths.size(), 3U);  // the second one is gone
@@ -66,8 +66,8 @@ TEST(BreakUp, CutsLinesAndMovesWhatIsLeft) {
 }
 
 TEST(BreakUp, LetsCentreLinesThroughThatShareTheWay) {
-  Path axis = line({{-2, 5}, {62, 5}}), of_hole = line({{20, 0}, {20, 10}}),
-       ends_within = line({{0, 8}, {20, 8}}), frame = line({{15, 1}, {16, 1}});
+  Path axis = path_of({{-2, 5}, {62, 5}}), of_hole = path_of({{20, 0}, {20, 10}}),
+       ends_within = path_of({{0, 8}, {20, 8}}), frame = path_of({{15, 1}, {16, 1}});
   axis.kind = of_hole.kind = ends_within.kind = LineClass::Centre;
   frame.kind = LineClass::Frame;
   Drawing drawing = drawing_of({axis, of_hole, ends_within, frame});
@@ -91,13 +91,38 @@ TEST(BreakUp, CutsAreas) {
   for (const Vec2& p : areas[0].rings[1]) EXPECT_GE(p.x, 14 - 1e-12);
 }
 
+TEST(BreakUp, JoinsNoPiecesOfAnAreaAlongTheCut) {
+  // A ladder lying on its side with a hole in a rail: two rails are left, nothing between them.
+  std::vector<Area> areas(1);
+  areas[0].rings = {{{0, 0}, {60, 0}, {60, 20}, {0, 20}},
+                    {{5, 5}, {5, 15}, {55, 15}, {55, 5}},
+                    {{8, 1}, {52, 1}, {52, 3}, {8, 3}}};
+  break_up({.along = {1, 0}, .bands = {{10, 30}, {35, 50}}, .gap = 4}, {}, areas);
+  double size = 0;
+  int rings = 0;
+  for (const std::vector<Vec2>& ring : areas[0].rings) {
+    ++rings;
+    size += std::abs(test::signed_area(ring));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      // No side runs along a cut where the area has nothing.
+      const bool along_cut = a.x == b.x && (a.x == 10 || a.x == 14 || a.x == 19 || a.x == 23);
+      if (!along_cut) continue;
+      EXPECT_LE(std::abs(a.y - b.y), 5) << a.x << ": " << a.y << " to " << b.y;
+    }
+  }
+  // At both ends a fork; of each piece between three bars.
+  EXPECT_EQ(rings, 1 + 3 + 1);
+  EXPECT_NEAR(size, (10 * 20 - 5 * 10 - 2 * 2) * 2 + 5 * (5 + 5 - 2), 1e-9);
+}
+
 /// A jagged edge: lines and areas end on it, whichever way they come.
 TEST(BreakUp, EndsAtAJaggedEdge) {
   const std::vector<Vec2> edge{{2, 0}, {4, 1.5}, {6, -1.5}, {8, 0}};
   const PaperBreaks breaks{.along = {1, 0}, .bands = {{20, 50}}, .gap = 5};
   std::vector<Path> lines;
-  for (double y = 0; y <= 10; y += 0.25) lines.push_back(line({{0, y}, {70, y}}));
-  lines.push_back(line({{0, 0}, {70, 10}}));
+  for (double y = 0; y <= 10; y += 0.25) lines.push_back(path_of({{0, y}, {70, y}}));
+  lines.push_back(path_of({{0, 0}, {70, 10}}));
   Drawing drawing = drawing_of(lines);
   std::vector<Area> areas(1);
   areas[0].rings = {{{0, 0}, {70, 0}, {70, 10}, {0, 10}}};
@@ -131,7 +156,7 @@ TEST(BreakUp, EndsAtAJaggedEdge) {
 TEST(BreakUp, WorksAlongAnyDirection) {
   const Vec2 along = glm::normalize(Vec2(2, 1));
   const PaperBreaks breaks{.along = along, .bands = {{10, 30}}, .gap = 4};
-  Drawing drawing = drawing_of({line({Vec2(0), 60.0 * along})});
+  Drawing drawing = drawing_of({path_of({Vec2(0), 60.0 * along})});
   break_up(breaks, {}, drawing);
   ASSERT_EQ(drawing.layers[0].paths.size(), 2U);
   double length = 0;

@@ -32,9 +32,9 @@ std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView*
 /// What lies between two lines across a direction, paper mm along it, as wide as the sheet and
 /// wider.
 struct Strip {
+  double low = 0, high = 0;
   /// Unit.
   Vec2 along{1, 0};
-  double low = 0, high = 0;
   /// How both lines run where they are not straight: points (across, along) from them, ascending
   /// across, where `across` is `along` turned left; straight between, and as the last one beyond.
   std::vector<Vec2> edge = {};
@@ -47,10 +47,9 @@ struct Strip {
 /// The same of a strip. Pieces whose sides are not straight have points where these have theirs.
 bool lies_in(const Path& path, const Strip& strip);
 std::vector<Path> clipped(const Path& path, const Strip& strip, const DrawingView* view = nullptr);
-/// What is left of a ring in a strip; fewer than three points: nothing. Where it comes in again its
-/// pieces hang together by sides along the strip, which the even-odd rule does not see. @cite
-/// SutherlandHodgman1974
-std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, const Strip& strip);
+/// What is left in a strip of an area, inside an odd number of its rings.
+std::vector<std::vector<Vec2>> clipped_rings(std::vector<std::vector<Vec2>> rings,
+                                             const Strip& strip);
 
 /// How far an edge runs from a line at a place across it: see `Strip::edge`.
 double edge_at(std::span<const Vec2> edge, double across);
