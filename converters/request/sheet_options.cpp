@@ -218,10 +218,12 @@ std::vector<RequestRow<Draft>> view_rows() {
                                                                    : ProjectionMethod::ThirdAngle;
        }},
       {{.option = {.name = "break_view",
-                   .meaning = "leave a stretch of a long part out of the views that show it from "
-                              "the side, and move its ends together: auto, the long stretches that "
-                              "keep their cross-section; those along x, y, z or a direction; or "
-                              "from where to where, z:20..180 in model mm; repeatable",
+                   .meaning =
+                       "leave a stretch of a long part out of the views that show it from "
+                       "the side, and move its ends together: auto, the long stretches that "
+                       "keep their cross-section; those along x, y, z or a direction; or "
+                       "from where to where, z:20..180 in model mm; repeatable; looks: style "
+                       "keys break.*",
                    .takes = FreeText{}},
         .group = kSheet,
         .label = "auto|AXIS[:FROM..TO]",

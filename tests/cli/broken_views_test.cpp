@@ -41,7 +41,7 @@ class BrokenViewsOfCommand : public test::CliTest {
 TEST_F(BrokenViewsOfCommand, LeaveAStretchOut) {
   const std::string draw = "draw @/bar.off --view front --scale 1 -o @/a.json ";
   ASSERT_EQ(run(draw + "--break-view x:50..350 --dimensions overall"), 0) << err_;
-  EXPECT_EQ(err_.find("warning"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("break"), std::string::npos) << err_;
   Json now = drawing();
   EXPECT_NEAR(extent(now).size().x, 104, 1e-3);
   ASSERT_NE(layer(now, "breaks"), nullptr);
