@@ -80,9 +80,7 @@ TEST_F(BrokenViewsOfCommand, StandInIllustrationFiles) {
     ASSERT_EQ(drawn(breaks), 0) << err_;
     EXPECT_NEAR(extent(drawing()).size().x, 104, 1e-3) << breaks;
   }
-  ASSERT_EQ(
-      run("illustrate @/bar.off --view front --break-view x:50..350 -o @/s.burin.json"),
-      0)
+  ASSERT_EQ(run("illustrate @/bar.off --view front --break-view x:50..350 -o @/s.burin.json"), 0)
       << err_;
   EXPECT_EQ(Json::parse(test::slurp(folder_ / "s.burin.json")).at("breaks"),
             Json::array({"x:50..350"}));
