@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
+#include <burin/options/request.h>
 
 namespace burin::detail {
 namespace {
@@ -42,9 +43,7 @@ Break break_option(const std::string& spelled, const std::string& text) {
   double from[1], to[1];
   const bool are_numbers =
       parse_list(range.substr(0, dots), from) && parse_list(range.substr(dots + 2), to);
-  if (!are_numbers || !(from[0] < to[0])) {
-    refuse(spelled, text);
-  }
+  if (!are_numbers || !(from[0] < to[0])) refuse(spelled, text);
   one.stretch = {from[0], to[0]};
   return one;
 }

@@ -99,9 +99,13 @@ std::vector<Vec2> break_edge(const Stretches& cut, BreakOptions::Line line) {
   return edge;
 }
 
+double break_reach(const BreakOptions& style) {
+  return style.line == BreakOptions::Line::Zigzag ? kZigzagBeyond : 0;
+}
+
 void lay_break_lines(Drawing& drawing, const PaperBreaks& breaks, std::span<const Vec2> edge,
                      std::span<const Stretches> cut, const BreakOptions& style) {
-  const double beyond = style.line == BreakOptions::Line::Zigzag ? kZigzagBeyond : 0;
+  const double beyond = break_reach(style);
   Layer layer{"breaks", {}};
   for (std::size_t i = 0; i < cut.size(); ++i) {
     const PaperBreaks::Band& band = breaks.bands[i / 2];

@@ -27,8 +27,10 @@ namespace {
 
 /// Where a segment near a side of the strip passes points of its edge, as ascending shares.
 std::vector<double> passed(Vec2 a, Vec2 b, const Strip& strip, double reach) {
-  const auto [low, high] = std::minmax({glm::dot(strip.along, a), glm::dot(strip.along, b)});
-  const auto is_near = [&](double side) { return low <= side + reach && high >= side - reach; };
+  const double at_a = glm::dot(strip.along, a), at_b = glm::dot(strip.along, b);
+  const auto is_near = [&](double side) {
+    return std::min(at_a, at_b) <= side + reach && std::max(at_a, at_b) >= side - reach;
+  };
   if (!is_near(strip.low) && !is_near(strip.high)) return {};
   const double from = glm::dot(strip.across(), a), way = glm::dot(strip.across(), b) - from;
   std::vector<double> shares;

@@ -38,7 +38,9 @@ Vec2 without_rounding(Vec2 along) {
 }  // namespace
 
 BrokenAs::BrokenAs(const Scene& scene, const Illustration& illustration, const ViewOptions& view)
-    : axis_(illustration.left_out.axis), gap_(illustration.style.broken.gap) {
+    : axis_(illustration.left_out.axis),
+      gap_(illustration.style.broken.gap),
+      reach_(break_reach(illustration.style.broken)) {
   if (illustration.left_out.empty() || illustration.view.perspective) return;
   const Mat3 axes = axes_of(view);
   const Vec3 seen = axes * axis_;
@@ -89,8 +91,10 @@ Camera::ExtentFn BrokenAs::shortened(Camera::ExtentFn whole) const {
 }
 
 Margin BrokenAs::room() const {
-  const Vec2 half = 0.5 * gap_ * static_cast<double>(bands_.size()) * glm::abs(along_);
-  return {half.y, half.x, half.y, half.x};
+  if (empty()) return Margin(0);
+  const Vec2 gaps = 0.5 * gap_ * static_cast<double>(bands_.size()) * glm::abs(along_);
+  const Vec2 side = gaps + reach_ * glm::abs(Vec2(-along_.y, along_.x));
+  return {side.y, side.x, side.y, side.x};
 }
 
 PaperBreaks BrokenAs::on_paper(double scale, double origin) const {

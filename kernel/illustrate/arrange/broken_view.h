@@ -26,7 +26,7 @@ class BrokenAs {
   bool empty() const { return bands_.empty(); }
   /// The same extent as the view shows it, without its gaps.
   Camera::ExtentFn shortened(Camera::ExtentFn whole) const;
-  /// Paper mm on each side that the gaps take.
+  /// Paper mm on each side that gaps and break lines take.
   Margin room() const;
   /// What is left out on paper. `origin`: paper mm along the way, where the model's origin is.
   PaperBreaks on_paper(double scale, double origin) const;
@@ -49,8 +49,8 @@ class BrokenAs {
   Vec3 way_{1, 0, 0};
   /// Model mm along that way.
   std::vector<PaperBreaks::Band> bands_;
-  /// Paper mm.
-  double gap_ = 0;
+  /// Paper mm: the gaps, and how far break lines go on beyond the parts.
+  double gap_ = 0, reach_ = 0;
 };
 
 /// Tells of breaks that no view of the sheet shows, and of those that are no shorter than a gap.

@@ -130,6 +130,10 @@ class Laying {
       if (!is_wanted(item, options_)) continue;
       if (is_unseen(item)) add_name(item);
       if (!item.shown()) continue;
+      if (ends_in_break(item, placed.placement)) {
+        ++left_out_;
+        continue;
+      }
       const Vec3 middle = middle_of(item, placed.placement);
       if (!is_readable(item, placed.placement, {camera_.to_viewer(middle), camera_.right()},
                        options_.angle)) {
@@ -157,6 +161,12 @@ class Laying {
     if (covered_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.covered", covered_,
                       fmt::format("annotations behind parts were left out ({}){}", covered_, more));
+    }
+    if (left_out_ > 0) {
+      diagnostics.add(Severity::Warning, "pmi.left_out", left_out_,
+                      fmt::format("annotations that begin or end in what a break leaves out are "
+                                  "not drawn ({})",
+                                  left_out_));
     }
     if (unseen_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.not_shown", unseen_,
@@ -198,6 +208,19 @@ class Laying {
     if (!area.rings.empty()) areas_.push_back(std::move(area));
   }
 
+  /// Whether an annotation has points in a band and none on one of its sides.
+  bool ends_in_break(const PmiItem& item, const Placement& place) const {
+    for (const PaperBreaks::Band& band : breaks_.bands) {
+      bool before = false, within = false, behind = false;
+      for_points(item, place, [&](const Vec3& point) {
+        const double at = glm::dot(breaks_.along, camera_.to_paper(point));
+        (at <= band.low ? before : at >= band.high ? behind : within) = true;
+      });
+      if (within && !(before && behind)) return true;
+    }
+    return false;
+  }
+
   /// All letters of an annotation move as one, so that they can be read in a gap.
   Vec2 shift_of_letters(const PmiItem& item, const Placement& place) const {
     Box2 box;
@@ -230,7 +253,7 @@ class Laying {
   std::string ink_;
   Layer& layer_;
   std::vector<Area>& areas_;
-  std::int64_t turned_ = 0, covered_ = 0, unseen_ = 0;
+  std::int64_t turned_ = 0, covered_ = 0, unseen_ = 0, left_out_ = 0;
   /// Of what is not shown in the file; a view that shows what was left out.
   std::string names_, better_;
 };

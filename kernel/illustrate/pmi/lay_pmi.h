@@ -19,7 +19,7 @@ namespace burin::detail {
 /// covers a digit is another number. Left out and told: what is seen from behind, from its edge or
 /// upside down; whose letters are more than half behind parts, but in a view that the file saves;
 /// what the file does not show. They stand where `breaks` takes the view of the camera: lines over
-/// a gap go through it, letters stay as they are.
+/// a gap go through it, letters stay as they are; annotations that end in a band are left out.
 void lay_pmi(const Scene& scene, const PartStyles& part_styles, const Camera& camera,
              const PaperBreaks& breaks, const Occluder& solid, const Style& style,
              Drawing& drawing);

@@ -257,9 +257,10 @@ TEST_F(BrokenViews, StandInLineOnASheetOfViews) {
   const double removed = (slant.bands[0].high - slant.bands[0].low) / scale;
   EXPECT_LT(removed, 300 * share);
   EXPECT_NEAR(removed, 300 * share - 40 * std::sqrt(0.5) * std::sqrt(1.0 / 3), 1e-6);
+  const Box2 sheet{{0, 0}, {297, 210}};
   for (const Path& path : lines()) {
     for (std::size_t i = 0; i < path.points.size(); ++i) {
-      EXPECT_TRUE(Box2({0, 0}, {297, 210}).contains(path.points[i]));
+      EXPECT_TRUE(sheet.contains(path.points[i]));
     }
   }
   EXPECT_FALSE(tells("sheet.clipped"));

@@ -36,6 +36,9 @@ Stretches joined(Stretches stretches);
 /// How break lines run (`Strip::edge`) where parts are cut: the zigzags or waves of each stretch.
 std::vector<Vec2> break_edge(const Stretches& cut, BreakOptions::Line line);
 
+/// Paper mm that break lines go on beyond the parts.
+double break_reach(const BreakOptions& style);
+
 /// Lays the layer "breaks" over a broken view: at both sides of each band a line along the edge,
 /// over what is cut there; those with zigzags go on beyond. `cut`: of each side, low and high of
 /// the first band, of the second, ...
