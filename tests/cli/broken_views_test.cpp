@@ -54,6 +54,26 @@ TEST_F(BrokenViewsOfCommand, LeaveAStretchOut) {
     true_length = true_length || text.at("text") == "400";
   }
   EXPECT_TRUE(true_length);
+  // Each place is where the numbers of the view have it.
+  const Json& view = now.at("view");
+  const auto vec = [](const Json& v) { return Vec3(v[0], v[1], v.size() > 2 ? double(v[2]) : 0); };
+  const double low = breaks.at("bands")[0][0], high = breaks.at("bands")[0][1];
+  for (const Json& l : now.at("layers")) {
+    for (const Json& path : l.at("paths")) {
+      if (path.at("kind") == "frame") continue;
+      for (std::size_t i = 0; i < path.at("points").size(); ++i) {
+        const Vec3 q = vec(path.at("points3")[i]) - vec(view.at("center"));
+        const Vec2 whole = double(view.at("scale")) * Vec2(glm::dot(q, vec(view.at("right"))),
+                                                           glm::dot(q, vec(view.at("up")))) +
+                           Vec2(vec(view.at("offset")));
+        const Vec2 along(vec(breaks.at("along")));
+        const bool beyond = glm::dot(along, whole) > 0.5 * (low + high);
+        const Vec2 at = whole + Vec2(vec(breaks.at("offset"))) +
+                        (beyond ? double(breaks.at("gap")) - (high - low) : 0.0) * along;
+        EXPECT_LT(glm::distance(at, Vec2(vec(path.at("points")[i]))), 1e-3);
+      }
+    }
+  }
   // A drawing file is read as it was written.
   ASSERT_EQ(run("convert @/a.json -o @/b.json"), 0) << err_;
   EXPECT_EQ(Json::parse(test::slurp(folder_ / "b.json")).at("view"), now.at("view"));
