@@ -2,12 +2,14 @@
 #include <burin/drawing/break_up.h>
 #include <burin/drawing/clip.h>
 #include <burin/drawing/length.h>
+#include <burin/planar/even_odd.h>
 
 #include "burin_test/ring_size.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace burin {
@@ -25,6 +27,17 @@ Path path_of(std::vector<Vec2> points, bool closed = false) {
   p.width.assign(1, 0.3);
   p.source = {2, 5, 7};
   return p;
+}
+
+/// By the even-odd rule.
+bool inside(const std::vector<std::vector<Vec2>>& rings, Vec2 p) {
+  bool in = false;
+  for (const std::vector<Vec2>& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (crosses_ray(ring[i], ring[(i + 1) % ring.size()], p)) in = !in;
+    }
+  }
+  return in;
 }
 
 Drawing drawing_of(std::vector<Path> paths) {
@@ -151,6 +164,45 @@ TEST(BreakUp, EndsAtAJaggedEdge) {
     corners += glm::distance(p, Vec2(21.5, 4)) < 1e-9 || glm::distance(p, Vec2(18.5, 6)) < 1e-9;
   }
   EXPECT_EQ(corners, 2);
+}
+
+/// Any rings, as the even-odd rule has them: what is inside of the whole area is inside of what is
+/// left of it.
+TEST(BreakUp, KeepsWhatIsInside) {
+  std::mt19937 random(7);
+  const auto number = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  const std::vector<Vec2> edge{{2, 0}, {4, 1.5}, {6, -1.5}, {8, 0}};
+  for (int round = 0; round < 40; ++round) {
+    const double turn = round % 2 == 0 ? 0 : number(0, 6);
+    const PaperBreaks breaks{
+        .along = {std::cos(turn), std::sin(turn)}, .bands = {{-20, -5}, {3, 12}}, .gap = 4};
+    const Strip sides{0, 0, breaks.along, edge};
+    std::vector<Area> areas(1);
+    for (int ring = 0; ring < 3; ++ring) {
+      for (int i = 0; i < 7; ++i) {
+        if (i == 0) areas[0].rings.emplace_back();
+        areas[0].rings.back().emplace_back(number(-40, 40), number(-40, 40));
+      }
+    }
+    const std::vector<std::vector<Vec2>> whole = areas[0].rings;
+    break_up(breaks, edge, areas);
+    ASSERT_EQ(areas.size(), 1U);
+    for (int i = 0; i < 500; ++i) {
+      const Vec2 p(number(-40, 40), number(-40, 40));
+      const double at = sides.at(p);
+      std::size_t piece = 0;
+      bool within = false;
+      for (const PaperBreaks::Band& band : breaks.bands) {
+        within = within || (at > band.low && at < band.high);
+        piece += at >= band.high ? 1 : 0;
+      }
+      if (within) continue;
+      EXPECT_EQ(inside(areas[0].rings, p + breaks.shift(piece)), inside(whole, p))
+          << round << ": " << p.x << " " << p.y;
+    }
+  }
 }
 
 TEST(BreakUp, WorksAlongAnyDirection) {
