@@ -109,8 +109,9 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
   text(*steps, "--items", a.items, "N", kParts,
        "the most items that a step adds; equal parts are one item\n(default 6)");
   // What is about one drawing.
-  const std::vector<std::string> others = {"views",  "projection",     "detail", "parts_list",
-                                           "legend", "explode_factor", "center", "verify"};
+  const std::vector<std::string> others = {"views",          "projection", "detail",
+                                           "break_view",     "parts_list", "legend",
+                                           "explode_factor", "center",     "verify"};
   for (const RequestOption& option : all_options()) {
     if (std::ranges::find(others, option.option.name) == others.end()) {
       add_request(*steps, option, draw.request.options);

@@ -149,6 +149,7 @@ py::dict illustration(const py::object& source) {
   out["views"] = plan.views;
   out["hidden_views"] = plan.hidden_views;
   out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
+  out["breaks"] = list_at(members, "breaks");
   out["details"] = list_at(members, "details");
   out["threads"] = list_at(members, "threads");
   out["dimensions"] = list_at(members, "dimensions");
@@ -227,7 +228,8 @@ void add_illustration(py::module_& module) {
       "\"iso\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", \"explode\", \"details\", \"threads\" and \"dimensions\" "
+      "\"looks\"; \"sections\", \"explode\", \"breaks\", \"details\", \"threads\" and "
+      "\"dimensions\" "
       "unchanged; "
       "\"views\", "
       "names, and "

@@ -40,8 +40,9 @@ py::array project(const PyView& self, const py::object& model) {
   for (const Vec3& p : from) {
     const Vec3 q = p - v.center;
     const double s = eye > 0 ? v.scale * eye / (eye - glm::dot(q, v.direction)) : v.scale;
-    out.insert(out.end(),
-               {s * glm::dot(q, v.right) + v.offset.x, s * glm::dot(q, v.up) + v.offset.y});
+    const Vec2 whole = Vec2(s * glm::dot(q, v.right), s * glm::dot(q, v.up)) + v.offset;
+    const Vec2 at = v.breaks.moved(whole);
+    out.insert(out.end(), {at.x, at.y});
   }
   return own(std::move(out), {rows(from.size()), 2});
 }
@@ -168,7 +169,7 @@ void add_view(py::module_& module) {
           "field_of_view", [](const PyView& v) { return v.view.field_of_view; },
           "Vertical, in degrees; 0 = orthographic.")
       .def("project", project, py::arg("points"),
-           "(n, 3) mm of the model to (n, 2) mm of the sheet.")
+           "(n, 3) mm of the model to (n, 2) mm of the sheet, of broken views, too.")
       .def("__repr__", [](const PyView& v) {
         const Vec3 d = v.view.direction;
         return fmt::format("<burin.View {} from ({:.4g}, {:.4g}, {:.4g}), scale {:.4g}>",

@@ -88,6 +88,11 @@ void leave_out(DrawPlan& plan) {
                    "section views have no effect on a drawing of two revisions: `section` cuts all "
                    "of its views");
   }
+  if (!plan.breaks.empty()) {
+    plan.breaks.clear();
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   "`break_view` has no effect on a drawing of two revisions");
+  }
   const bool asked = plan.explode.wanted || plan.callouts || plan.parts_list || plan.legend ||
                      plan.title_block || !plan.parts_list_files.empty();
   plan.explode = {};

@@ -110,6 +110,10 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
       note(fmt::format("style key {} has no effect without {}", key,
                        called("dimensions", plan.spelling)));
     }
+    if (key.starts_with("break.") && plan.breaks.empty()) {
+      note(fmt::format("style key {} has no effect without {}", key,
+                       called("break_view", plan.spelling)));
+    }
     if (key.starts_with("callout.") && !lists) {
       note(fmt::format("style key {} has no effect without {}", key,
                        called(key == "callout.legend" ? "legend" : "callouts", plan.spelling)));
@@ -194,6 +198,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.numbers = request.items;
   plan.sections = request.sections;
   plan.explode = request.explode;
+  plan.breaks = request.breaks;
   plan.details = request.details;
   plan.thread_rows = request.threads;
   plan.dimensions = request.dimensions;

@@ -4,6 +4,7 @@
 #include <burin/converters/values.h>
 #include <burin/options/meant.h>
 
+#include "break_option.h"
 #include "detail_option.h"
 #include "draw_options.h"
 #include "title_block_option.h"
@@ -129,6 +130,12 @@ void set_details(Draft& draft, const Asked& asked) {
   }
 }
 
+void set_breaks(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    draft.plan.breaks.push_back(break_option(asked.spelled, text));
+  }
+}
+
 }  // namespace
 
 std::vector<RequestRow<Draft>> view_rows() {
@@ -210,6 +217,22 @@ std::vector<RequestRow<Draft>> view_rows() {
          d.plan.projection = std::get<std::uint64_t>(a.value) == 0 ? ProjectionMethod::FirstAngle
                                                                    : ProjectionMethod::ThirdAngle;
        }},
+      {{.option = {.name = "break_view",
+                   .meaning =
+                       "leave a stretch of a long part out of the views that show it from "
+                       "the side, and move its ends together: auto, the long stretches that "
+                       "keep their cross-section; those along x, y, z or a direction; or "
+                       "from where to where, z:20..180 in model mm; repeatable; looks: style "
+                       "keys break.*",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "auto|AXIS[:FROM..TO]",
+        .choices = {"auto", "x", "y", "z"},
+        .many = true,
+        .python = "str | Sequence[str]",
+        .also = {"break", "breaks", "broken", "broken view", "interrupted view", "shorten",
+                 "break line", "break lines", "interrupt", "foreshorten", "partial view"}},
+       set_breaks},
       {{.option = {.name = "detail",
                    .meaning = "draw a place again beside the view, larger, in a circle: parts by "
                               "name, or a point and a radius in model mm; at a scale, or as large "

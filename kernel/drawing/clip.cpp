@@ -1,6 +1,8 @@
 #include <burin/drawing/clip.h>
 #include <burin/planar/segment_in_box.h>
 
+#include "breaks/strip_edge.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -31,6 +33,23 @@ std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Disc& disc
   return std::pair(t0, t1);
 }
 
+// A segment over which the edges of the strip are straight.
+std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Strip& strip) {
+  const double at_a = strip.at(a), at_b = strip.at(b), way = at_b - at_a;
+  if (way == 0) {
+    if (at_a < strip.low || at_a > strip.high) return {};
+    return std::pair(0.0, 1.0);
+  }
+  const double u = (strip.low - at_a) / way, v = (strip.high - at_a) / way;
+  const double from = std::max(0.0, std::min(u, v)), to = std::min(1.0, std::max(u, v));
+  if (!(from <= to)) return {};
+  return std::pair(from, to);
+}
+
+bool contains(const Strip& strip, Vec2 p) {
+  const double at = strip.at(p);
+  return at >= strip.low && at <= strip.high;
+}
 bool contains(const Box2& window, Vec2 p) { return window.contains(p); }
 bool contains(const Disc& disc, Vec2 p) { return glm::distance(p, disc.center) <= disc.radius; }
 
@@ -185,6 +204,13 @@ std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingVie
 }
 std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView* view) {
   return cut(path, disc, view);
+}
+
+bool lies_in(const Path& path, const Strip& strip) {
+  return all_in(strip.edge.empty() ? path : detail::refined(path, strip), strip);
+}
+std::vector<Path> clipped(const Path& path, const Strip& strip, const DrawingView* view) {
+  return cut(detail::refined(path, strip), strip, view);
 }
 
 namespace {

@@ -49,6 +49,31 @@ void append_member(Buffer& out, std::string_view key, Vec3 v) {
   append(out, ", ");
 }
 
+void append_exact_pair(Buffer& out, double a, double b) {
+  append(out, "[");
+  append_exact(out, a);
+  append(out, ", ");
+  append_exact(out, b);
+  append(out, "]");
+}
+
+void append_breaks(Buffer& out, const PaperBreaks& breaks) {
+  append(out, ", \"breaks\": {\"along\": ");
+  append_exact_pair(out, breaks.along.x, breaks.along.y);
+  append(out, ", \"bands\": [");
+  const char* between = "";
+  for (const PaperBreaks::Band& band : breaks.bands) {
+    append(out, between);
+    append_exact_pair(out, band.low, band.high);
+    between = ", ";
+  }
+  append(out, "], \"gap\": ");
+  append_exact(out, breaks.gap);
+  append(out, ", \"offset\": ");
+  append_exact_pair(out, breaks.offset.x, breaks.offset.y);
+  append(out, "}");
+}
+
 void append_view(Buffer& out, const DrawingView& view) {
   append(out, "{\"projection\": ");
   append_json(out, view.projection);
@@ -71,6 +96,7 @@ void append_view(Buffer& out, const DrawingView& view) {
     append_key(out, "field_of_view");
     append_exact(out, view.field_of_view);
   }
+  if (!view.breaks.empty()) append_breaks(out, view.breaks);
   append(out, "}");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Which parts are seen where on the sheet; internal to the module.
 
+#include <burin/annotate/break_lines.h>
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -23,6 +24,8 @@ struct Labels {
   std::vector<Area> whole = {};
   /// Below all of them.
   std::optional<Area> shadow = {};
+  /// Of a broken view: what of the parts is on each side of each band.
+  std::vector<Stretches> cut = {};
 };
 
 /// A drawn line that parts may end at.

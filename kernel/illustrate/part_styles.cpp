@@ -152,6 +152,18 @@ std::vector<double> PartStyles::meeting_ranks(std::span<const double> sizes) con
   return ranks;
 }
 
+std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateOptions& options) {
+  if (failed.row() != PluginError::Row::Form) return 0;
+  std::size_t count = 0;
+  options.part_styles.resize(std::max(options.part_styles.size(), scene.parts.size()));
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (scene.parts[i].plugin_form != failed.name()) continue;
+    count += options.part_styles[i].drawn ? 1 : 0;
+    options.part_styles[i].drawn = false;
+  }
+  return count;
+}
+
 }  // namespace burin::detail
 
 namespace burin {

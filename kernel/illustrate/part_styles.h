@@ -1,6 +1,7 @@
 #pragma once
 // How each part is drawn; internal to the module.
 
+#include <burin/base/plugin_error.h>
 #include <burin/drawing/color.h>
 #include <burin/illustrate/illustrate.h>
 
@@ -62,5 +63,8 @@ class PartStyles {
   std::vector<const Style*> styles_;
   std::vector<StrokeSet> strokes_;
 };
+
+/// Leaves out the parts that a form of a plug-in made which failed; how many.
+std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateOptions& options);
 
 }  // namespace burin::detail

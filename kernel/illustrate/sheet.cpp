@@ -4,6 +4,7 @@
 #include <burin/illustrate/legend.h>
 #include <burin/illustrate/sheet.h>
 
+#include "broken.h"
 #include "fill/hatch_areas.h"
 
 #include <fmt/format.h>
@@ -89,8 +90,11 @@ std::optional<Drawing> draw_opened(const Scene& scene, const PlacedView& view, c
 Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style& style,
                   const IllustrateOptions& all, RunContext& context, Session& session) {
   const Scene& scene = view.scene ? *view.scene : whole_scene;
-  const IllustrateOptions options = options_of(view, all);
-  if (!view.within) return session.draw(scene, view.camera, style, options, context);
+  IllustrateOptions options = options_of(view, all);
+  if (!view.within) {
+    const Camera camera = detail::whole_camera(scene, view, style, options);
+    return session.draw(scene, camera, style, options, context);
+  }
   Style whole = style;
   whole.sheet.clip = false;  // the circle cuts it
   Drawing drawing = session.draw(scene, view.camera, whole, options, context);
@@ -129,15 +133,16 @@ SheetView described(const PlacedView& view, const Drawing& drawing) {
 Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
                    const IllustrateOptions& options, RunContext& context, Session* session) {
   if (sheet.plain()) {
-    const auto draw = [&](const IllustrateOptions& lone) {
-      return session ? session->draw(scene, sheet.camera(), style, lone, context)
-                     : illustrate(scene, sheet.camera(), style, lone, context);
+    const PlacedView& view = sheet.views.front();
+    const auto draw = [&](const Camera& camera, const IllustrateOptions& lone) {
+      return session ? session->draw(scene, camera, style, lone, context)
+                     : illustrate(scene, camera, style, lone, context);
     };
-    const ViewDimensions& dimensions = sheet.views.front().dimensions;
-    if (dimensions.list.empty()) return draw(options);
+    if (view.dimensions.list.empty() && view.breaks.empty()) return draw(view.camera, options);
     IllustrateOptions lone = options;
-    lone.dimensions = dimensions;
-    return draw(lone);
+    lone.dimensions = view.dimensions;
+    const Camera camera = detail::whole_camera(scene, view, style, lone);
+    return draw(camera, lone);
   }
   Session own;
   Session& kept = session ? *session : own;

@@ -10,6 +10,7 @@
 #include <burin/verify/verify.h>
 
 #include "all_strokes.h"
+#include "broken.h"
 #include "compose.h"
 #include "fill/fills.h"
 #include "fill/hatch_areas.h"
@@ -162,19 +163,6 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
   verify.areas->pen = style.line.crease;
   if (shadows) verify.areas->shadows = tone::to_light(camera, style.tone);
   return verify;
-}
-
-// Leaves out the parts that a form of a plug-in made which failed; how many.
-std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateOptions& options) {
-  if (failed.row() != PluginError::Row::Form) return 0;
-  std::size_t count = 0;
-  options.part_styles.resize(std::max(options.part_styles.size(), scene.parts.size()));
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (scene.parts[i].plugin_form != failed.name()) continue;
-    count += options.part_styles[i].drawn ? 1 : 0;
-    options.part_styles[i].drawn = false;
-  }
-  return count;
 }
 
 }  // namespace
@@ -334,7 +322,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (options.field) name_own_field(drawing);
   labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
                      style, part_styles, options, context);
-  lay_pmi(scene, part_styles, camera, trees->solid(), style, drawing);
+  const PaperBreaks& breaks = options.broken.breaks;
+  labels.cut = cut_stretches(proxies, part_styles, camera, breaks);
+  lay_pmi(scene, part_styles, camera, breaks, trees->solid(), style, drawing);
   context.end_stage();
   return drawing;
 }
@@ -372,6 +362,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
         verify_options(scene, camera, style, part_styles, options, judged.ranks, labels.areas),
         drawing.diagnostics, context);
   }
+  break_drawing(camera, options.broken, style.broken, labels, drawing);
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   if (options.annotations && labels.whole.empty()) labels.whole = labels.areas;
   std::vector<Area> letters = std::exchange(drawing.areas, std::move(labels.areas));
@@ -383,7 +374,8 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   std::ranges::move(letters, std::back_inserter(drawing.areas));
-  lay_dimensions(drawing, camera, options.dimensions, style.dimension);
+  lay_dimensions(drawing, camera_on_sheet(camera, options.broken), options.dimensions,
+                 style.dimension);
   if (options.annotations) {
     annotate(drawing, labels.whole, with_seen_rows(scene, style, options, drawing), style.callout,
              context);

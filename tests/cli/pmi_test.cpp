@@ -97,6 +97,21 @@ TEST_F(AnnotationsOfFiles, AreDrawnWhereTheyFaceTheViewer) {
   }
 }
 
+TEST_F(AnnotationsOfFiles, RunOverBreaksOrAreLeftOut) {
+  write("over.step", "(-25.,-500.,20.)", "(1.,0.,0.)");  // from -25 to 25
+  const std::string view = "--view front --pmi --scale 1 --break-view ";
+  ASSERT_EQ(draw(view + "x:-15..15", "over.step"), 0) << err_;
+  const Json line = paths().at(0).at("points");
+  EXPECT_NEAR(line[1][0].get<double>() - line[0][0].get<double>(), 50 - 30 + 4, 1e-3);
+  EXPECT_EQ(err_.find("are not drawn (1)"), std::string::npos) << err_;
+  // Letters stay as they are.
+  const Json letters = drawing().at("areas")[0].at("rings")[0];
+  EXPECT_NEAR(letters[1][0].get<double>() - letters[0][0].get<double>(), 50, 1e-3);
+  ASSERT_EQ(draw(view + "x:10..40", "over.step"), 0) << err_;
+  EXPECT_TRUE(paths().empty());
+  EXPECT_NE(err_.find("what a break leaves out are not drawn (1)"), std::string::npos) << err_;
+}
+
 TEST_F(AnnotationsOfFiles, AreNotDrawnUpsideDownOrBehindParts) {
   write("turned.step", "(300.,-500.,0.)", "(-1.,0.,0.)");
   ASSERT_EQ(draw("--view front --pmi", "turned.step"), 0) << err_;

@@ -141,7 +141,7 @@ class Illustrations(unittest.TestCase):
             "section": ({"section": {"qqq": 1}}, next(o for o in objects(properties["section"]) if "plane" in o)),
             "explode": ({"explode": {"qqq": 1}}, keys("explode")), "step": ({"explode": {"steps": [{"qqq": 1}]}}, step),
             "details": ({"details": [{"qqq": 1}]}, keys("details")), "dimensions": ({"dimensions": [{"qqq": 1}]}, keys("dimensions")),
-            "looks": ({"looks": [{"qqq": 1}]}, keys("looks")),
+            "breaks": ({"breaks": [{"qqq": 1}]}, keys("breaks")), "looks": ({"looks": [{"qqq": 1}]}, keys("looks")),
             "lights": ({"lights": [{"qqq": 1}]}, keys("lights")), "parts": ({"parts": [{"qqq": 1}]}, keys("parts")),
             "place": ({"parts": [{"file": "a.stl", "place": {"qqq": 1}}]}, place),
             "items": ({"items": {"1": {"qqq": 1}}}, objects(properties["items"]["additionalProperties"])[0]),
@@ -228,6 +228,7 @@ class Illustrations(unittest.TestCase):
             {"dimensions": [{"distance": [{"edge": [1, 2, 3]}, {"point": [1, 2, 3]}], "along": [1, 0, 0], "tolerance": ["+0.1", 0], "unit": "inch"}]},
             {"dimensions": [{"angle": [[1, 2, 3], [4, 5, 6]], "supplement": True}]}, {"dimensions": [{"thread": [1, 2, 3], "text": "M8"}]},
             {"dimensions": [{"radius": {"part": "a", "face": 1, "kept": {"kind": "plane", "beside": ["cone"]}}}]},
+            {"breaks": "z:1..2"}, {"breaks": ["auto"]}, {"breaks": [{"axis": "z", "from": 1, "to": 2}, {"axis": [0, 0, 1], "from": 3, "to": 4.5}]},
             {"details": [{"select": "lid", "radius": 4}]}, {"section": {"plane": "x", "exclude": []}}, {"lights": [{"ambient": 0.3}]},
         )
         step = {"move": "a", "along": [0, 0, 1], "by": 1}
@@ -242,6 +243,7 @@ class Illustrations(unittest.TestCase):
             {"dimensions": [{"diameter": [1, 2, 3], "decimals": 7}]}, {"dimensions": [{"diameter": [1, 2, 3], "unit": "yard"}]},
             {"dimensions": [{"diameter": [1, 2, 3], "tolerance": [1, 2, 3]}]}, {"dimensions": [{"diameter": {"part": "a", "face": 1.5}}]},
             {"dimensions": [{"diameter": {"part": "a", "face": [1, 2, 3], "kept": {"kind": "plane"}}}]}, {"dimensions": [{"radius": {"part": "a", "face": 1, "kept": {}}}]},
+            {"breaks": 1}, {"breaks": [{"axis": "z", "from": 1}]}, {"breaks": {"axis": 1, "from": 1, "to": 2}}, {"breaks": [{"from": 1, "to": 2}]},
             {"details": [{"at": [1, 2, 3]}]}, {"details": [{"radius": 3}]}, {"details": [{"select": "a", "at": [1, 2, 3], "radius": 3}]},
             {"parts": [{"name": "a"}]}, {"parts": [{"file": "a.stl", "function": "sphere(1)"}]}, {"parts": [{"file": "a.stl", "bounds": True}]},
             {"parts": [{"file": "a.stl", "place": {"scale": 2, "matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}}]},

@@ -111,7 +111,8 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
                      IllustrationFile& out);
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
-    take_items, take_parts_list, take_details, take_threads, take_dimensions, take_title_block;
+    take_items, take_parts_list, take_breaks, take_details, take_threads, take_dimensions,
+    take_title_block;
 
 /// What these keys take.
 Json parts_schema();
@@ -120,6 +121,7 @@ Json lights_schema();
 Json section_schema();
 Json explode_schema();
 Json items_schema();
+Json breaks_schema();
 Json details_schema();
 Json threads_schema();
 Json dimensions_schema();

@@ -141,6 +141,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& over) {
   all.looks.insert(all.looks.end(), over.looks.begin(), over.looks.end());
   if (!over.lights.empty()) all.lights = over.lights;
   all.sections.insert(all.sections.end(), over.sections.begin(), over.sections.end());
+  all.breaks.insert(all.breaks.end(), over.breaks.begin(), over.breaks.end());
   all.details.insert(all.details.end(), over.details.begin(), over.details.end());
   all.threads.insert(all.threads.end(), over.threads.begin(), over.threads.end());
   all.dimensions.insert(all.dimensions.end(), over.dimensions.begin(), over.dimensions.end());

@@ -197,6 +197,13 @@ const std::vector<Row>& rows_of_file() {
          .schema = dimensions_schema(),
          .read = take_dimensions,
          .write = [](const File& file) { return write_dimensions(file.request); }},
+        {.name = "breaks",
+         .schema = breaks_schema(),
+         .read = take_breaks,
+         .write =
+             [](const File& file) {
+               return unless_empty(Json(given_texts(file.request.options, "break_view")));
+             }},
         {.name = "details",
          .schema = details_schema(),
          .read = take_details,

@@ -133,7 +133,7 @@ std::vector<LookRequest> looks_of(const Request& options) {
 /// As people read it: what is drawn, the view and the sheet, then how it is drawn.
 int place_of(const std::string& key) {
   constexpr std::array kFirst{"burin", "version", "extends", "title", "parts"};
-  constexpr std::array kLast{"style",   "lights", "section",    "explode",     "details",
+  constexpr std::array kLast{"style",   "lights", "section",    "explode",     "breaks", "details",
                              "threads", "looks",  "parts_list", "title_block", "items"};
   const auto first = std::ranges::find(kFirst, key), last = std::ranges::find(kLast, key);
   if (first != kFirst.end()) return static_cast<int>(first - kFirst.begin());

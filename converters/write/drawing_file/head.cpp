@@ -80,6 +80,20 @@ Area read_area(const JsonPlace& place) {
   return area;
 }
 
+void read_breaks(const JsonPlace& place, PaperBreaks& breaks) {
+  place.check_object();
+  place.member("along", breaks.along);
+  place.each_of("bands", [&](const JsonPlace& band, std::size_t) {
+    Vec2 sides(0);
+    band.set(sides);
+    const double last = breaks.bands.empty() ? sides.x : breaks.bands.back().high;
+    if (!(sides.x < sides.y) || sides.x < last) band.fail("takes bands that ascend, [low, high]");
+    breaks.bands.push_back({sides.x, sides.y});
+  });
+  place.member("gap", breaks.gap);
+  place.member("offset", breaks.offset);
+}
+
 void read_view(const JsonPlace& place, DrawingView& view) {
   place.check_object();
   place.member("projection", view.projection);
@@ -91,6 +105,7 @@ void read_view(const JsonPlace& place, DrawingView& view) {
   place.member("offset", view.offset);
   place.member("eye", view.eye);
   place.member("field_of_view", view.field_of_view);
+  place.optional("breaks", [&](const JsonPlace& at) { read_breaks(at, view.breaks); });
 }
 
 SheetView read_sheet_view(const JsonPlace& place) {

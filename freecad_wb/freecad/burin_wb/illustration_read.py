@@ -114,6 +114,8 @@ def _sheet(told, notes):
         notes.append(f"seed: {MOST_SEED} at most here, which is taken")
     if told["title_block"] is not None:
         notes.append("title_block: the template of a page has it here")
+    if told["breaks"]:
+        notes.append("breaks: no property here leaves stretches of long parts out; views show them whole")
     if size == "fit":
         size = preferences.sheet()
         notes.append("paper.size: no sheet fits itself to the drawing here, {:g} x {:g} mm of new illustrations are taken"

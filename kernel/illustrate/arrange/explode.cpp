@@ -171,6 +171,7 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   number_parts(scene, illustration, context);
   find_threads(scene, illustration, context);
   place_parts(scene, illustration, context);
+  find_breaks(scene, illustration, context);
   add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;
   const bool tables = over && (over->parts_list || !over->legend.empty() || over->title_block);

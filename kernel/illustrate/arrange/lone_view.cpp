@@ -3,6 +3,7 @@
 #include <burin/annotate/annotate.h>
 #include <burin/illustrate/ground.h>
 
+#include "broken_view.h"
 #include "wanted_views.h"
 
 #include <algorithm>
@@ -76,11 +77,9 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
   return sheet;
 }
 
-/// The camera of a view that has the sheet for itself. `room`: of dimensions.
-Camera lone_camera(const Scene& scene, const Illustration& illustration,
-                   const ViewDimensions& dimensions, const Margin& room) {
-  const Camera::ExtentFn extent =
-      with_measured(extent_of(scene, illustration, illustration.view), dimensions);
+/// The camera of a view that has the sheet for itself and shows that. `room`: of dimensions.
+Camera lone_camera(const Camera::ExtentFn& extent, const Illustration& illustration,
+                   const Margin& room) {
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
     return Camera::fit(
@@ -101,20 +100,24 @@ Camera lone_camera(const Scene& scene, const Illustration& illustration,
 
 SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration) {
   SheetOfViews sheet;
-  Margin room(0);
+  const BrokenAs broken(scene, illustration, illustration.view);
+  Margin room = broken.room();
   const SheetDimensions measured(scene, illustration, {lone_view(illustration)});
-  ViewDimensions dimensions = measured.of_view(0, room);
-  const Box3 shown = with_measured(extent_of(scene, illustration, illustration.view),
-                                   dimensions)(axes_of(illustration.view));
-  Camera camera = lone_camera(scene, illustration, dimensions, room);
+  ViewDimensions dimensions = measured.of_view(0, Margin(0));
+  const Camera::ExtentFn extent = broken.shortened(
+      with_measured(extent_of(scene, illustration, illustration.view), dimensions));
+  const Box3 shown = extent(axes_of(illustration.view));
+  Camera camera = lone_camera(extent, illustration, room);
   for (int round = 1; round < kMostRounds && !dimensions.list.empty(); ++round) {
-    const Margin needed = measured.room(0, dimensions, shown, camera.scale());
+    const double scale = camera.scale();
+    const Margin needed = measured.room(0, broken.moved(dimensions, scale), shown, scale);
     if (holds(room, needed)) break;
     room = larger(room, needed);
-    camera = lone_camera(scene, illustration, dimensions, room);
+    camera = lone_camera(extent, illustration, room);
   }
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
   sheet.views.front().dimensions = std::move(dimensions);
+  break_view(scene, broken, illustration.view, sheet.views.front());
   return sheet;
 }
 

@@ -4,6 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/illustrate/ground.h>
 
+#include "broken_view.h"
 #include "details.h"
 #include "drawn_shape.h"
 #include "lone_view.h"
@@ -128,11 +129,20 @@ class SheetPlanner {
     }
   }
 
+  detail::BrokenAs broken_as(const ViewOptions& view) const {
+    return {scene_, illustration_, view};
+  }
+
+  /// What a view shows, with what it measures.
+  Camera::ExtentFn shown_in(const ViewOptions& view, const ViewDimensions& measured) const {
+    return broken_as(view).shortened(with_measured(extent(view), measured));
+  }
+
   /// Whether the circles about what is drawn again lie in the box of their view.
   bool circles_stay() const {
     const PlacedView& main = sheet_.views.front();
     return std::ranges::all_of(details_, [&](const detail::PlannedDetail& detail) {
-      const Vec2 at = main.camera.to_paper(detail.at);
+      const Vec2 at = main.at(detail.at);
       const double radius = detail.radius * main.camera.scale_at(detail.at);
       const Box2 &box = main.box, circle{at - radius, at + radius};
       return box.contains(circle.min) && box.contains(circle.max);
@@ -150,8 +160,16 @@ class SheetPlanner {
         detail::report_no_line(scene_, illustration_, section);
         continue;
       }
-      sheet_.section_marks.push_back(detail::mark_of(
-          section, scene_, illustration_, views_[*parent].view, sheet_.views[*parent].camera));
+      auto mark = detail::mark_of(section, scene_, illustration_, views_[*parent].view,
+                                  sheet_.views[*parent]);
+      if (mark) {
+        sheet_.section_marks.push_back(std::move(*mark));
+      } else {
+        scene_.diagnostics.add(Severity::Warning, "section.no_line", 1,
+                               fmt::format("{}the sheet does not show where section {}-{} cuts: "
+                                           "the break leaves the place out",
+                                           section.place, section.letter, section.letter));
+      }
     }
   }
 
@@ -159,7 +177,7 @@ class SheetPlanner {
   Camera in_box(ViewOptions view, const Box2& box, const ViewDimensions& measured) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
-    const Camera::ExtentFn shown = with_measured(extent(view), measured);
+    const Camera::ExtentFn shown = shown_in(view, measured);
     const SheetOptions whole{.margin = Margin(0), .iso_scale = illustration_.sheet.iso_scale};
     return Camera::fit(shown, settle(shown, view, whole)).on_sheet(sheet, box.min);
   }
@@ -169,24 +187,27 @@ class SheetPlanner {
     const Paper sheet = view.paper;
     const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
     view.margin = 0;
-    return Camera::fit(with_measured(extent(view), measured), view).on_sheet(sheet, middle - half);
+    return Camera::fit(shown_in(view, measured), view).on_sheet(sheet, middle - half);
   }
 
   void place_one() {
     const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
-    Margin room(0);
-    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, measured_->of_view(0, room)};
+    const detail::BrokenAs broken = broken_as(illustration_.view);
+    Margin room = broken.room();
+    PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, measured_->of_view(0, Margin(0))};
     const Mat3 axes = detail::axes_of(illustration_.view);
-    const Box3 shown = with_measured(extent(illustration_.view), view.dimensions)(axes);
+    const Box3 shown = shown_in(illustration_.view, view.dimensions)(axes);
     for (int round = 0; round < kMostRounds; ++round) {
       view.camera = in_box(illustration_.view,
                            {frame_.min + callouts + Vec2(room.left, room.bottom),
                             frame_.max - callouts - Vec2(room.right, room.top)},
                            view.dimensions);
-      const Margin needed = measured_->room(0, view.dimensions, shown, view.camera.scale());
+      const double scale = view.camera.scale();
+      const Margin needed = measured_->room(0, broken.moved(view.dimensions, scale), shown, scale);
       if (detail::holds(room, needed)) break;
       room = detail::larger(room, needed);
     }
+    break_view(scene_, broken, illustration_.view, view);
     sheet_.views.push_back(std::move(view));
   }
 
@@ -205,14 +226,16 @@ class SheetPlanner {
     std::vector<ViewDimensions> dimensions;
     std::vector<Box3> shown;
     std::vector<GridView> grid_views;
+    std::vector<detail::BrokenAs> broken;
     const std::size_t numbered = view_with_callouts();
     Margin callouts(0);
     for (const detail::WantedView& wanted : views_) {
       GridView view{wanted.stands_as, Vec2(0), wanted.room};
       dimensions.push_back(measured_->of_view(dimensions.size(), view.room));
-      shown.push_back(
-          with_measured(extent(wanted.view), dimensions.back())(detail::axes_of(wanted.view)));
+      broken.push_back(broken_as(wanted.view));
+      shown.push_back(shown_in(wanted.view, dimensions.back())(detail::axes_of(wanted.view)));
       view.size = {shown.back().size().x, shown.back().size().y};
+      view.room = sum(view.room, broken.back().room());
       if (grid_views.size() == numbered) {
         const Vec2 side = callout_capacity_of(illustration_, 0.5 * frame.size());
         callouts = Margin(side.y, side.x, side.y, side.x);
@@ -236,7 +259,8 @@ class SheetPlanner {
       }
       bool has_room = true;
       for (std::size_t i = 0; i < views_.size(); ++i) {
-        Margin needed = measured_->room(i, dimensions[i], shown[i], grid.scale);
+        Margin needed =
+            measured_->room(i, broken[i].moved(dimensions[i], grid.scale), shown[i], grid.scale);
         if (i == numbered) needed = sum(needed, callouts);
         has_room &= detail::holds(grid_views[i].room, needed);
         grid_views[i].room = detail::larger(grid_views[i].room, needed);
@@ -246,7 +270,9 @@ class SheetPlanner {
     for (std::size_t i = 0; i < views_.size(); ++i) {
       ViewOptions view = views_[i].view;
       view.scale = grid.scale;
-      const Vec2 half = 0.5 * grid.scale * grid_views[i].size, middle = grid.middles[i];
+      const Margin gaps = broken[i].room();
+      const Vec2 half = 0.5 * grid.scale * grid_views[i].size + Vec2(gaps.right, gaps.top);
+      const Vec2 middle = grid.middles[i];
       const Box2 drawn{middle - half, middle + half};
       PlacedView placed{views_[i].name, on_middle(view, middle, dimensions[i]), grid.boxes[i]};
       placed.callouts = i == numbered;
@@ -256,6 +282,7 @@ class SheetPlanner {
         placed.scene = section->scene;
         sheet_.section_names.push_back({drawn, section->letter});
       }
+      break_view(scene_, broken[i], view, placed);
       sheet_.views.push_back(std::move(placed));
     }
   }
@@ -273,7 +300,10 @@ class SheetPlanner {
   void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
-    const Vec3 size = extent_of(scene_, illustration_, first_view())(detail::axes_of(main)).size();
+    const Vec3 size =
+        broken_as(first_view())
+            .shortened(extent_of(scene_, illustration_, first_view()))(detail::axes_of(main))
+            .size();
     const double drawn = main.scale() * std::max(size.x, size.y);
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });
@@ -288,8 +318,14 @@ class SheetPlanner {
   }
 
   void add_detail(const detail::PlannedDetail& detail) {
-    const Camera& main = sheet_.views.front().camera;
+    const PlacedView& first = sheet_.views.front();
+    const Camera main = first.camera;
     const Vec2 from = main.to_paper(detail.at);
+    if (first.breaks.leaves_out(from)) {
+      throw UsageError(
+          fmt::format("{}detail {} shows a place that the break leaves out: break another stretch",
+                      detail.place, detail.letter));
+    }
     const double scale = main.scale_at(detail.at);
     const Camera camera = main.magnified(detail.scale / scale, from, detail.center);
     const Disc shown{detail.center, detail.radius * detail.scale};
@@ -299,7 +335,8 @@ class SheetPlanner {
           fmt::format("{}detail {} is drawn {}, no larger than the view, {}", detail.place,
                       detail.letter, scale_text(detail.scale), scale_text(scale)));
     }
-    sheet_.details.push_back({{from, detail.radius * scale}, shown, detail.letter, detail.scale});
+    sheet_.details.push_back(
+        {{first.at(detail.at), detail.radius * scale}, shown, detail.letter, detail.scale});
     sheet_.views.push_back({detail.letter,
                             camera,
                             {shown.center - shown.radius, shown.center + shown.radius},
@@ -325,16 +362,19 @@ class SheetPlanner {
 Vec2 detail::drawn_shape(const Scene& scene, const Illustration& illustration) {
   if (!illustration.views.empty()) return Vec2(0);
   const ViewOptions& view = illustration.view;
-  const Vec3 size = extent_of(scene, illustration, view)(detail::axes_of(view)).size();
+  const Camera::ExtentFn extent =
+      detail::BrokenAs(scene, illustration, view).shortened(extent_of(scene, illustration, view));
+  const Vec3 size = extent(detail::axes_of(view)).size();
   return {size.x, size.y};
 }
 
 SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
-  if (!illustration.views.empty() || !illustration.details.empty() ||
-      !illustration.section_views.empty()) {
-    return SheetPlanner(scene, illustration).run();
-  }
-  return detail::plan_lone_view(scene, illustration);
+  const bool several = !illustration.views.empty() || !illustration.details.empty() ||
+                       !illustration.section_views.empty();
+  SheetOfViews sheet = several ? SheetPlanner(scene, illustration).run()
+                               : detail::plan_lone_view(scene, illustration);
+  detail::report_unbroken(scene, illustration, sheet);
+  return sheet;
 }
 
 }  // namespace burin

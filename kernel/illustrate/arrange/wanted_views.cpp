@@ -187,15 +187,20 @@ std::optional<std::size_t> parent_of(const std::vector<WantedView>& views,
   return std::nullopt;
 }
 
-SectionMark mark_of(const SectionView& section, const Scene& scene,
-                    const Illustration& illustration, const ViewOptions& view,
-                    const Camera& camera) {
+std::optional<SectionMark> mark_of(const SectionView& section, const Scene& scene,
+                                   const Illustration& illustration, const ViewOptions& view,
+                                   const PlacedView& placed) {
+  const Camera& camera = placed.camera;
   SectionMark mark{.course = {},
                    .sight = -Vec2(glm::dot(camera.right(), section.direction),
                                   glm::dot(camera.up(), section.direction)),
                    .letter = section.letter};
-  for (const Vec3& p : course_of(section, scene, illustration, view))
-    mark.course.push_back(camera.to_paper(p));
+  const std::vector<Vec3> places = course_of(section, scene, illustration, view);
+  if (std::ranges::all_of(
+          places, [&](const Vec3& p) { return placed.breaks.leaves_out(camera.to_paper(p)); })) {
+    return std::nullopt;
+  }
+  for (const Vec3& p : places) mark.course.push_back(placed.at(p));
   std::vector<Vec2>& course = mark.course;
   const double beyond = section_reach(illustration.style.callout).beyond;
   const auto prolong = [&](Vec2& end, Vec2 next) { end += beyond * glm::normalize(end - next); };

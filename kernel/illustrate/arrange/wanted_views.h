@@ -3,6 +3,7 @@
 
 #include <burin/annotate/sections.h>
 #include <burin/arrange/illustration.h>
+#include <burin/illustrate/sheet.h>
 #include <burin/surface/scene.h>
 
 #include <cstddef>
@@ -42,10 +43,10 @@ std::vector<WantedView> wanted_views(const Illustration& illustration);
 std::optional<std::size_t> parent_of(const std::vector<WantedView>& views,
                                      const Illustration& illustration, const SectionView& section);
 
-/// Where a section cuts, in a view with that camera.
-SectionMark mark_of(const SectionView& section, const Scene& scene,
-                    const Illustration& illustration, const ViewOptions& view,
-                    const Camera& camera);
+/// Where a section cuts, in a view that has its place; nothing where a break leaves it out.
+std::optional<SectionMark> mark_of(const SectionView& section, const Scene& scene,
+                                   const Illustration& illustration, const ViewOptions& view,
+                                   const PlacedView& placed);
 
 /// Tells of a section that no view shows from its edge.
 void report_no_line(Scene& scene, const Illustration& illustration, const SectionView& section);

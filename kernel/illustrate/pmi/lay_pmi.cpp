@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -114,9 +115,10 @@ class Cover {
 /// Lays the annotations of one part.
 class Laying {
  public:
-  Laying(const Camera& camera, const Occluder& solid, const Style& style, Layer& layer,
-         std::vector<Area>& areas)
+  Laying(const Camera& camera, const PaperBreaks& breaks, const Occluder& solid, const Style& style,
+         Layer& layer, std::vector<Area>& areas)
       : camera_(camera),
+        breaks_(breaks),
         cover_(camera, solid),
         options_(style.pmi),
         ink_(style.pmi.color.empty() ? style.sheet.ink : style.pmi.color),
@@ -128,6 +130,10 @@ class Laying {
       if (!is_wanted(item, options_)) continue;
       if (is_unseen(item)) add_name(item);
       if (!item.shown()) continue;
+      if (ends_in_break(item, placed.placement)) {
+        ++left_out_;
+        continue;
+      }
       const Vec3 middle = middle_of(item, placed.placement);
       if (!is_readable(item, placed.placement, {camera_.to_viewer(middle), camera_.right()},
                        options_.angle)) {
@@ -155,6 +161,12 @@ class Laying {
     if (covered_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.covered", covered_,
                       fmt::format("annotations behind parts were left out ({}){}", covered_, more));
+    }
+    if (left_out_ > 0) {
+      diagnostics.add(Severity::Warning, "pmi.left_out", left_out_,
+                      fmt::format("annotations that begin or end in what a break leaves out are "
+                                  "not drawn ({})",
+                                  left_out_));
     }
     if (unseen_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.not_shown", unseen_,
@@ -184,18 +196,43 @@ class Laying {
 
   void add(const PmiItem& item, const Placement& place, const SourceId& source) {
     for (const PmiLine& line : item.lines) add(line, place, source, options_.line);
+    const Vec2 by = shift_of_letters(item, place);
     Area area;
     area.part = source.part;
     area.role = "pmi";
     area.fill = ink_;
     for (const PmiLine& line : item.filled) {
-      add(line, place, source, 0.5 * options_.line);
+      add(line, place, source, 0.5 * options_.line, by);
       area.rings.push_back(layer_.paths.back().points);
     }
     if (!area.rings.empty()) areas_.push_back(std::move(area));
   }
 
-  void add(const PmiLine& line, const Placement& place, const SourceId& source, double width) {
+  /// Whether an annotation has points in a band and none on one of its sides.
+  bool ends_in_break(const PmiItem& item, const Placement& place) const {
+    for (const PaperBreaks::Band& band : breaks_.bands) {
+      bool before = false, within = false, behind = false;
+      for_points(item, place, [&](const Vec3& point) {
+        const double at = glm::dot(breaks_.along, camera_.to_paper(point));
+        (at <= band.low ? before : at >= band.high ? behind : within) = true;
+      });
+      if (within && !(before && behind)) return true;
+    }
+    return false;
+  }
+
+  /// All letters of an annotation move as one, so that they can be read in a gap.
+  Vec2 shift_of_letters(const PmiItem& item, const Placement& place) const {
+    Box2 box;
+    for (const PmiLine& line : item.filled) {
+      for (const Vec3& point : line.points) box.add(camera_.to_paper(place.point(point)));
+    }
+    return box.empty() ? Vec2(0) : breaks_.moved(box.center()) - box.center();
+  }
+
+  /// `by`: how far the line moves as it is; absent: as the places do that it passes.
+  void add(const PmiLine& line, const Placement& place, const SourceId& source, double width,
+           std::optional<Vec2> by = {}) {
     Path path;
     path.kind = LineClass::Frame;
     path.source = source;
@@ -203,18 +240,20 @@ class Laying {
     path.width = {width};
     for (const Vec3& point : line.points) {
       path.points3.push_back(place.point(point));
-      path.points.push_back(camera_.to_paper(path.points3.back()));
+      const Vec2 whole = camera_.to_paper(path.points3.back());
+      path.points.push_back(by ? whole + *by : breaks_.moved(whole));
     }
     layer_.paths.push_back(std::move(path));
   }
 
   const Camera& camera_;
+  const PaperBreaks& breaks_;
   Cover cover_;
   const PmiOptions& options_;
   std::string ink_;
   Layer& layer_;
   std::vector<Area>& areas_;
-  std::int64_t turned_ = 0, covered_ = 0, unseen_ = 0;
+  std::int64_t turned_ = 0, covered_ = 0, unseen_ = 0, left_out_ = 0;
   /// Of what is not shown in the file; a view that shows what was left out.
   std::string names_, better_;
 };
@@ -264,10 +303,11 @@ Box3 detail::pmi_bounds(const Scene& scene, std::span<const PartStyle> part_styl
 }
 
 void detail::lay_pmi(const Scene& scene, const PartStyles& part_styles, const Camera& camera,
-                     const Occluder& solid, const Style& style, Drawing& drawing) {
+                     const PaperBreaks& breaks, const Occluder& solid, const Style& style,
+                     Drawing& drawing) {
   Layer layer{"pmi", {}};
   layer.color = style.pmi.color;
-  Laying laying(camera, solid, style, layer, drawing.areas);
+  Laying laying(camera, breaks, solid, style, layer, drawing.areas);
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const PlacedPmi& placed = scene.parts[i].pmi;
     if (placed && part_styles.drawn(i)) laying.part(static_cast<std::int32_t>(i), placed);

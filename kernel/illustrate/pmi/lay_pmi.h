@@ -18,9 +18,11 @@ namespace burin::detail {
 /// what is filled. An annotation is drawn as a whole or not at all, for a number of which a part
 /// covers a digit is another number. Left out and told: what is seen from behind, from its edge or
 /// upside down; whose letters are more than half behind parts, but in a view that the file saves;
-/// what the file does not show.
+/// what the file does not show. They stand where `breaks` takes the view of the camera: lines over
+/// a gap go through it, letters stay as they are; annotations that end in a band are left out.
 void lay_pmi(const Scene& scene, const PartStyles& part_styles, const Camera& camera,
-             const Occluder& solid, const Style& style, Drawing& drawing);
+             const PaperBreaks& breaks, const Occluder& solid, const Style& style,
+             Drawing& drawing);
 
 /// What a view may draw of them, in axes as those of `Form::bounds`; empty where there is none.
 /// `part_styles`: as in IllustrateOptions.

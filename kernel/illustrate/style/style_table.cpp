@@ -252,6 +252,7 @@ std::vector<StyleRow> all_rows() {
   rows.of_whole("sheet.", &Style::sheet, sheet_rows());
   rows.of_whole("callout.", &Style::callout, callout_option_rows());
   rows.of_whole("dimension.", &Style::dimension, dimension_option_rows());
+  rows.of_whole("break.", &Style::broken, break_option_rows());
   rows.of_whole("pmi.", &Style::pmi, pmi_option_rows());
   std::vector<OptionRow<Style>> of_formats;
   options::append_declared(of_formats, &Style::formats, format_options());

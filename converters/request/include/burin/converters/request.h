@@ -43,6 +43,7 @@ struct DrawRequest {
   /// Before the option of that name.
   Explode explode = {};
   /// Before those that options ask for.
+  std::vector<Break> breaks = {};
   std::vector<DetailView> details = {};
   /// Before those that options ask for.
   std::vector<ThreadRow> threads = {};

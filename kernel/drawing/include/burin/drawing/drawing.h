@@ -6,6 +6,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/ids.h>
 #include <burin/base/vec.h>
+#include <burin/drawing/paper_breaks.h>
 
 #include <cstdint>
 #include <optional>
@@ -152,6 +153,8 @@ struct DrawingView {
   /// Perspective only: the viewer's place and the vertical field of view in degrees.
   Vec3 eye{0};
   double field_of_view = 0;
+  /// What is left out of the view: its place is then `breaks.moved(to_paper(p))`.
+  PaperBreaks breaks = {};
 };
 
 /// One of several views on a sheet.

@@ -24,6 +24,15 @@
 
 namespace burin {
 
+/// A view that is drawn whole, then broken: the camera's paper holds all of the whole view.
+struct BrokenView {
+  /// From the camera's paper to the sheet.
+  PaperBreaks breaks = {};
+  Paper sheet = {};
+  /// Paper mm: where the bottom left corner of the sheet lies on the camera's paper.
+  Vec2 corner{0};
+};
+
 enum class HiddenLines { None, Dashed };
 
 /// How one part is drawn where that differs from the others.
@@ -82,6 +91,8 @@ struct IllustrateOptions {
   std::optional<Annotations> annotations{};
   /// What is measured in the drawing.
   ViewDimensions dimensions{};
+  /// What is left out of the view; `dimensions` are moved with the rest already.
+  BrokenView broken{};
   /// Whether `Drawing::areas` tells the faces of parts apart, painted or not.
   bool face_areas = false;
 };

@@ -3,6 +3,7 @@
 
 #include <burin/annotate/details.h>
 #include <burin/annotate/sections.h>
+#include <burin/drawing/paper_breaks.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/session.h>
 #include <burin/surface/scene.h>
@@ -34,6 +35,11 @@ struct PlacedView {
   ViewDimensions dimensions = {};
   /// Whether hidden lines are left out, whatever the drawing says.
   bool none_hidden = false;
+  /// What is left out of it, from where the camera has it to the sheet.
+  PaperBreaks breaks = {};
+
+  /// Where a point of the model is on the sheet.
+  Vec2 at(Vec3 p) const { return breaks.moved(camera.to_paper(p)); }
 };
 
 struct SheetOfViews {

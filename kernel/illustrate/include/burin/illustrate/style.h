@@ -1,6 +1,7 @@
 #pragma once
 /// A drawing style as plain data.
 
+#include <burin/annotate/break_lines.h>
 #include <burin/annotate/dimensions.h>
 #include <burin/annotate/options.h>
 #include <burin/drawing/format_options.h>
@@ -174,6 +175,8 @@ struct Style {
   SheetStyle sheet{};
   CalloutOptions callout{};
   DimensionOptions dimension{};
+  /// Keys "break.line" and so on.
+  BreakOptions broken{};
   PmiOptions pmi{};
   /// Keys "line.dash" and "line.gap".
   DashOptions dashes{};

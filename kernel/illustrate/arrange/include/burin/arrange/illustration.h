@@ -3,6 +3,7 @@
 /// libburin_io makes of options and illustration files. `arrange.h` follows it. Parts are named by
 /// selectors (burin/assembly/select.h).
 
+#include <burin/arrange/break.h>
 #include <burin/arrange/dimension_row.h>
 #include <burin/arrange/section.h>
 #include <burin/assembly/items.h>
@@ -133,6 +134,9 @@ struct Illustration {
   std::vector<std::string> views = {};
   /// Of several views those with hidden lines, by name or the letter of their section; empty: all.
   std::vector<std::string> hidden_views = {};
+  /// Along one axis; `left_out`: what arranging makes of them.
+  std::vector<Break> breaks = {};
+  ModelBreaks left_out = {};
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};

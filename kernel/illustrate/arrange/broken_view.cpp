@@ -1,0 +1,247 @@
+#include "broken_view.h"
+
+#include <burin/illustrate/illustrate.h>
+
+#include "wanted_views.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// Cosine, and sine, from which on a view sees an axis from its side, and from its end.
+constexpr double kFromSide = 1 - 1e-12, kFromEnd = 1e-6;
+
+/// Where what is drawn begins and ends along a direction across the axis, both unit.
+std::pair<double, double> range_across(const Scene& scene, const Illustration& illustration,
+                                       const Vec3& axis, const Vec3& direction) {
+  const Mat3 axes = glm::transpose(Mat3(direction, axis, glm::cross(direction, axis)));
+  const Box3 box = drawn_bounds(scene, illustration.illustrate.part_styles, axes);
+  return {box.min.x, box.max.x};
+}
+
+/// Rounding would move what lies across.
+Vec2 without_rounding(Vec2 along) {
+  for (int k = 0; k < 2; ++k) {
+    if (std::abs(along[k]) < kFromEnd * kFromEnd) along[k] = 0;
+  }
+  return glm::normalize(along);
+}
+
+}  // namespace
+
+BrokenAs::BrokenAs(const Scene& scene, const Illustration& illustration, const ViewOptions& view)
+    : axis_(illustration.left_out.axis),
+      gap_(illustration.style.broken.gap),
+      reach_(break_reach(illustration.style.broken)) {
+  if (illustration.left_out.empty() || illustration.view.perspective) return;
+  const Mat3 axes = axes_of(view);
+  const Vec3 seen = axes * axis_;
+  foreshortened_ = glm::length(Vec2(seen));
+  if (foreshortened_ < kFromEnd) return;
+  along_ = without_rounding(Vec2(seen));
+  way_ = glm::transpose(axes) * Vec3(along_, 0);
+  double nearest = 0, farthest = 0;
+  if (foreshortened_ < kFromSide) {
+    // Places of one cross-section are not side by side on paper.
+    const Vec3 slant = way_ - foreshortened_ * axis_;
+    const double e = glm::length(slant);
+    const auto [low, high] = range_across(scene, illustration, axis_, slant / e);
+    nearest = e * low, farthest = e * high;
+  } else {
+    foreshortened_ = 1;
+  }
+  for (const auto& [low, high] : illustration.left_out.stretches) {
+    const PaperBreaks::Band band{foreshortened_ * low + farthest, foreshortened_ * high + nearest};
+    if (band.low < band.high) bands_.push_back(band);
+  }
+}
+
+Camera::ExtentFn BrokenAs::shortened(Camera::ExtentFn whole) const {
+  if (empty()) return whole;
+  return [whole = std::move(whole), along = along_, bands = bands_](const Mat3& axes) {
+    const Vec2 across(-along.y, along.x);
+    const Mat3 turn = glm::transpose(Mat3(Vec3(along, 0), Vec3(across, 0), Vec3(0, 0, 1)));
+    const Box3 box = whole(axes), turned = whole(turn * axes);
+    Box3 out;
+    double low = turned.min.x, by = 0;
+    for (std::size_t i = 0; i <= bands.size(); ++i) {
+      const double high = i < bands.size() ? bands[i].low : turned.max.x;
+      Box2 piece;
+      for (const double s : {low, high}) {
+        for (const double t : {turned.min.y, turned.max.y}) piece.add(s * along + t * across);
+      }
+      piece.min = glm::max(piece.min, Vec2(box.min)) + by * along;
+      piece.max = glm::min(piece.max, Vec2(box.max)) + by * along;
+      out.add(Vec3(piece.min, box.min.z));
+      out.add(Vec3(piece.max, box.max.z));
+      if (i == bands.size()) break;
+      by -= bands[i].high - bands[i].low;
+      low = bands[i].high;
+    }
+    return out;
+  };
+}
+
+Margin BrokenAs::room() const {
+  if (empty()) return Margin(0);
+  const Vec2 gaps = 0.5 * gap_ * static_cast<double>(bands_.size()) * glm::abs(along_);
+  const Vec2 side = gaps + reach_ * glm::abs(Vec2(-along_.y, along_.x));
+  return {side.y, side.x, side.y, side.x};
+}
+
+PaperBreaks BrokenAs::on_paper(double scale, double origin) const {
+  PaperBreaks breaks{along_, {}, gap_, Vec2(0)};
+  double gaps = 0;
+  for (const PaperBreaks::Band& band : bands_) {
+    breaks.bands.push_back({origin + scale * band.low, origin + scale * band.high});
+    gaps += breaks.gap_of(breaks.bands.back());
+  }
+  // Both halves give way to the gaps, so that the middle stays.
+  breaks.offset = -0.5 * gaps * along_;
+  return breaks;
+}
+
+PaperBreaks BrokenAs::on_paper(const Camera& camera, const ViewOptions& view) const {
+  if (empty()) return {};
+  PaperBreaks breaks = on_paper(camera.scale(), glm::dot(along_, camera.to_paper(Vec3(0))));
+  if (view.center) {
+    const Vec2 center = camera.to_paper(*view.center);
+    breaks.offset -= breaks.moved(center) - center;
+  }
+  return breaks;
+}
+
+/// Moves points of the model so that a camera shows them where the broken view has them.
+class BrokenAs::Mover {
+ public:
+  Mover(const BrokenAs& as, const PaperBreaks& breaks, double scale, double origin)
+      : as_(as), breaks_(breaks), scale_(scale), origin_(origin) {}
+
+  bool leaves_out(const Dimension& one) const {
+    switch (one.kind) {
+      case Dimension::Kind::Length:
+        return leaves_out(one.from) || leaves_out(one.to);
+      case Dimension::Kind::Round:
+        return leaves_out(one.from);
+      case Dimension::Kind::Angle:
+        break;
+    }
+    return leaves_out(one.to) || leaves_out(one.other);
+  }
+
+  void move(Dimension& one) const {
+    const bool length = one.kind == Dimension::Kind::Length;
+    // Circles and angles keep their shape.
+    const Vec3 as_one = shift(one.kind == Dimension::Kind::Angle ? one.to : one.from);
+    const auto moved = [&](Vec3 p) { return p + (length ? shift(p) : as_one); };
+    one.from = moved(one.from);
+    one.to = moved(one.to);
+    if (one.kind == Dimension::Kind::Angle) one.other = moved(one.other);
+    for (auto* points : {&one.from_points, &one.to_points}) {
+      for (Vec3& p : *points) p = moved(p);
+    }
+  }
+
+  Box3 moved(const Box3& box) const {
+    Box3 out;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p((corner & 1) != 0 ? box.max.x : box.min.x,
+                   (corner & 2) != 0 ? box.max.y : box.min.y,
+                   (corner & 4) != 0 ? box.max.z : box.min.z);
+      out.add(p + shift(p));
+    }
+    return out;
+  }
+
+ private:
+  Vec2 on_way(const Vec3& p) const {
+    return (origin_ + scale_ * glm::dot(as_.way_, p)) * as_.along_;
+  }
+  bool leaves_out(const Vec3& p) const { return breaks_.leaves_out(on_way(p)); }
+  Vec3 shift(const Vec3& p) const {
+    const Vec2 at = on_way(p);
+    const double on_paper = glm::dot(as_.along_, breaks_.moved(at) - at);
+    return on_paper / (scale_ * as_.foreshortened_) * as_.axis_;
+  }
+
+  const BrokenAs& as_;
+  const PaperBreaks& breaks_;
+  double scale_, origin_;
+};
+
+ViewDimensions BrokenAs::moved(const ViewDimensions& dimensions, double scale) const {
+  if (empty() || dimensions.list.empty()) return dimensions;
+  const PaperBreaks breaks = on_paper(scale, 0);
+  const Mover mover(*this, breaks, scale, 0);
+  ViewDimensions out = dimensions;
+  std::erase_if(out.list, [&](const Dimension& one) { return mover.leaves_out(one); });
+  for (Dimension& one : out.list) mover.move(one);
+  if (!out.about.empty()) out.about = mover.moved(out.about);
+  return out;
+}
+
+ViewDimensions BrokenAs::moved(const ViewDimensions& dimensions, const Camera& camera,
+                               const PaperBreaks& breaks,
+                               std::vector<std::string>& left_out) const {
+  const Mover mover(*this, breaks, camera.scale(), glm::dot(along_, camera.to_paper(Vec3(0))));
+  ViewDimensions out = dimensions;
+  std::erase_if(out.list, [&](const Dimension& one) {
+    if (!mover.leaves_out(one)) return false;
+    left_out.push_back(one.text);
+    return true;
+  });
+  for (Dimension& one : out.list) mover.move(one);
+  if (!out.about.empty()) out.about = mover.moved(out.about);
+  return out;
+}
+
+void break_view(Scene& scene, const BrokenAs& broken, const ViewOptions& view, PlacedView& placed) {
+  if (broken.empty()) return;
+  placed.breaks = broken.on_paper(placed.camera, view);
+  std::vector<std::string> left_out;
+  placed.dimensions = broken.moved(placed.dimensions, placed.camera, placed.breaks, left_out);
+  if (left_out.empty()) return;
+  scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn",
+                        static_cast<std::int64_t>(left_out.size()),
+                        fmt::format("dimensions of what the break leaves out are not drawn: {}",
+                                    fmt::join(left_out, ", ")));
+}
+
+void report_unbroken(Scene& scene, const Illustration& illustration, const SheetOfViews& sheet) {
+  if (illustration.left_out.empty()) return;
+  const auto tell = [&](const char* code, const std::string& message) {
+    scene.diagnostics.add(Severity::Warning, code, 1, message);
+  };
+  const std::string& place = illustration.breaks.front().place;
+  if (illustration.view.perspective) {
+    tell("break.not_shown", place + "a perspective view is not broken: leave `perspective` out");
+    return;
+  }
+  bool any = false;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlacedView& view : sheet.views) {
+    any = any || !view.breaks.empty();
+    for (const PaperBreaks::Band& band : view.breaks.bands) {
+      least = std::min(least, band.high - band.low);
+    }
+  }
+  if (!any) {
+    tell("break.not_shown",
+         place + "the break has no effect: no view of the sheet shows its stretch from the side");
+  } else if (least <= illustration.style.broken.gap) {
+    tell("break.short",
+         fmt::format("{}a break leaves out {:.2g} mm on the sheet and saves nothing: the gap "
+                     "between its ends (break.gap) is {:g} mm",
+                     place, least, illustration.style.broken.gap));
+  }
+}
+
+}  // namespace burin::detail
