@@ -3,6 +3,8 @@
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
+#include "json_members.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -10,95 +12,12 @@
 namespace burin {
 namespace {
 
+using detail::append_json_verification;
+using detail::append_json_view;
+using detail::model_decimals;
+
 /// Paper mm are written to 0.1 um, far below any printer.
 constexpr int kPaperDecimals = 4;
-
-/// Decimals of model mm that hold a millionth of a paper mm.
-int model_decimals(const DrawingView& view) {
-  if (!(view.scale > 0) || !std::isfinite(view.scale)) return 9;
-  const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(view.scale))) + 6, 0, 15);
-  // Nearer to the viewer than the centre a perspective drawing is larger: one decimal more.
-  return std::min(15, decimals + (view.projection == "perspective" ? 1 : 0));
-}
-
-/// That of the largest view.
-int model_decimals(const Drawing& drawing) {
-  int decimals = model_decimals(drawing.view);
-  for (const SheetView& one : drawing.views)
-    decimals = std::max(decimals, model_decimals(one.view));
-  return decimals;
-}
-
-void append_key(Buffer& out, std::string_view key) {
-  fmt::format_to(fmt::appender(out), "\"{}\": ", key);
-}
-
-void append_vec(Buffer& out, Vec3 v) {
-  out.push_back('[');
-  append_exact(out, v.x);
-  append(out, ", ");
-  append_exact(out, v.y);
-  append(out, ", ");
-  append_exact(out, v.z);
-  out.push_back(']');
-}
-
-void append_member(Buffer& out, std::string_view key, Vec3 v) {
-  append_key(out, key);
-  append_vec(out, v);
-  append(out, ", ");
-}
-
-void append_exact_pair(Buffer& out, double a, double b) {
-  append(out, "[");
-  append_exact(out, a);
-  append(out, ", ");
-  append_exact(out, b);
-  append(out, "]");
-}
-
-void append_breaks(Buffer& out, const PaperBreaks& breaks) {
-  append(out, ", \"breaks\": {\"along\": ");
-  append_exact_pair(out, breaks.along.x, breaks.along.y);
-  append(out, ", \"bands\": [");
-  const char* between = "";
-  for (const PaperBreaks::Band& band : breaks.bands) {
-    append(out, between);
-    append_exact_pair(out, band.low, band.high);
-    between = ", ";
-  }
-  append(out, "], \"gap\": ");
-  append_exact(out, breaks.gap);
-  append(out, ", \"offset\": ");
-  append_exact_pair(out, breaks.offset.x, breaks.offset.y);
-  append(out, "}");
-}
-
-void append_view(Buffer& out, const DrawingView& view) {
-  append(out, "{\"projection\": ");
-  append_json(out, view.projection);
-  append(out, ", ");
-  append_member(out, "direction", view.direction);
-  append_member(out, "right", view.right);
-  append_member(out, "up", view.up);
-  append_key(out, "scale");
-  append_exact(out, view.scale);
-  append(out, ", ");
-  append_member(out, "center", view.center);
-  append(out, "\"offset\": [");
-  append_exact(out, view.offset.x);
-  append(out, ", ");
-  append_exact(out, view.offset.y);
-  append(out, "]");
-  if (view.projection == "perspective") {
-    append(out, ", ");
-    append_member(out, "eye", view.eye);
-    append_key(out, "field_of_view");
-    append_exact(out, view.field_of_view);
-  }
-  if (!view.breaks.empty()) append_breaks(out, view.breaks);
-  append(out, "}");
-}
 
 /// Where it is not empty.
 void append_text_of(Buffer& out, std::string_view key, const std::string& text) {
@@ -160,7 +79,7 @@ void append_sheet_view(Buffer& out, const SheetView& view) {
   out.push_back(',');
   append_point(out, view.box.max);
   append(out, "], \"view\": ");
-  append_view(out, view.view);
+  append_json_view(out, view.view);
   out.push_back('}');
 }
 
@@ -257,7 +176,7 @@ void append_head(Buffer& out, const Drawing& d) {
   }
   append(out, "},\n");
   append(out, "  \"view\": ");
-  append_view(out, d.view);
+  append_json_view(out, d.view);
   append(out, ",\n");
   if (!d.views.empty()) append_list(out, "views", d.views, append_sheet_view);
   append_list(out, "parts", d.parts, append_part);
@@ -265,51 +184,6 @@ void append_head(Buffer& out, const Drawing& d) {
   if (!d.areas.empty()) append_list(out, "areas", d.areas, append_area);
   if (!d.inks.empty()) append_list(out, "inks", d.inks, append_spot_ink);
   append(out, "  \"layers\": [");
-}
-
-void append_contradiction(Buffer& out, const Contradiction& c) {
-  append(out, "{\"what\": ");
-  append_json(out, c.what);
-  if (c.size > 0) {
-    fmt::format_to(fmt::appender(out), ", \"part\": {}, \"face\": {}, \"size\": ", c.source.part,
-                   c.source.face);
-    append_exact(out, c.size);
-  } else {
-    fmt::format_to(fmt::appender(out),
-                   ", \"kind\": \"{}\", \"part\": {}, \"face\": {}, \"edge\": {}, \"length\": ",
-                   to_string(c.kind), c.source.part, c.source.face, c.source.edge);
-    append_exact(out, c.length);
-  }
-  append(out, ", \"at\": [");
-  append_exact(out, c.at.x);
-  append(out, ", ");
-  append_exact(out, c.at.y);
-  append(out, "], \"model\": ");
-  append_vec(out, c.model);
-  out.push_back('}');
-}
-
-void append_verification(Buffer& out, const Verification& v) {
-  fmt::format_to(fmt::appender(out), ",\n    \"verify\": {{\"spans\": {}, \"length\": ", v.spans);
-  append_exact(out, v.length);
-  append(out, ", \"contradicted\": ");
-  append_exact(out, v.contradicted);
-  append(out, ", \"share\": ");
-  append_exact(out, v.share());
-  fmt::format_to(fmt::appender(out), ", \"count\": {}, \"loose_ends\": {}", v.count, v.loose_ends);
-  if (v.area > 0) {
-    append(out, ", \"area\": ");
-    append_exact(out, v.area);
-    append(out, ", \"wrong_area\": ");
-    append_exact(out, v.wrong_area);
-    fmt::format_to(fmt::appender(out), ", \"wrong_patches\": {}", v.wrong_patches);
-  }
-  append(out, ", \"contradictions\": [");
-  for (std::size_t i = 0; i < v.contradictions.size(); ++i) {
-    append(out, i > 0 ? ",\n      " : "\n      ");
-    append_contradiction(out, v.contradictions[i]);
-  }
-  append(out, "]}");
 }
 
 void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
@@ -329,7 +203,7 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
     append(out, ", \"tone_gamma\": ");
     append_exact(out, *d.stats.tone_gamma);
   }
-  if (d.stats.verify) append_verification(out, *d.stats.verify);
+  if (d.stats.verify) append_json_verification(out, *d.stats.verify);
   append(out, "}\n}\n");
 }
 
