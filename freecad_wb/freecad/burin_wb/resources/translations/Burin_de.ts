@@ -820,6 +820,10 @@
       <translation>beide liegen an derselben Stelle und haben keinen Abstand</translation>
     </message>
     <message>
+      <source>break</source>
+      <translation>Bruchlinien</translation>
+    </message>
+    <message>
       <source>build</source>
       <translation>Aufbau</translation>
     </message>
