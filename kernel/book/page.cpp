@@ -1,6 +1,7 @@
 #include "page.h"
 
 #include <burin/annotate/details.h>
+#include <burin/base/error.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/views.h>
 #include <burin/illustrate/ground.h>
@@ -82,15 +83,30 @@ class Page {
       head.x = std::max(head.x, text_width(std::to_string(number_), kNumber) + 2 * kTurn);
     }
     plan.grid = cells(frame, head.x, plan.added.size());
-    Box2 rest = frame;
-    rest.max.y -= std::max(head.y, plan.grid.box.size().y) + kApart;
     plan.over.items = new_items(maker_, step_);
     plan.over.callouts = maker_.book.callouts;
+    // Below the small pictures, or beside them.
+    Box2 below = frame, beside = frame;
+    below.max.y -= std::max(head.y, plan.grid.box.size().y) + kApart;
+    beside.max = {plan.grid.box.min.x - kApart, frame.max.y - head.y - kApart};
+    plan.fitted = 0;
     const Paper& paper = maker_.book.view.paper;
-    plan.over.margin = margin_about(rest, paper);
-    plan.box = inside(paper, annotation_margin(plan.over, maker_.style.callout, paper));
-    plan.fitted =
-        camera_in(plan.scenery.scene, drawn_at(plan), view_of(plan.look, plan.box)).scale();
+    for (const Box2& rest : {below, beside}) {
+      if (rest.size().x <= 0 || rest.size().y <= 0) continue;
+      PagePlan one = plan;
+      one.over.margin = margin_about(rest, paper);
+      one.box = inside(paper, annotation_margin(one.over, maker_.style.callout, paper));
+      if (one.box.size().x <= 0 || one.box.size().y <= 0) continue;
+      const ViewOptions view = view_of(one.look, one.box);
+      one.fitted = camera_in(one.scenery.scene, drawn_at(one), view).scale();
+      if (one.fitted > plan.fitted) plan = std::move(one);
+    }
+    if (plan.fitted <= 0) {
+      throw UsageError(
+          fmt::format("{:g} x {:g} mm are too small for the pages of a step book: use "
+                      "a larger `paper` or a smaller `margin`",
+                      paper.width, paper.height));
+    }
     return plan;
   }
 
@@ -99,7 +115,7 @@ class Page {
     page.title = title();
     page.scale = scale.value;
     page.drawing = draw_step(plan, scale.value);
-    write_head(is_turned(plan.look), scale.told, page.drawing);
+    write_head(plan, scale.told, page.drawing);
     draw_cells(plan, page.drawing);
     for (const NewKind& kind : plan.added) page.added.push_back(kind.about);
     page.drawing.title = page.title.empty() ? fmt::format("Step {}", number_)
@@ -129,10 +145,11 @@ class Page {
     return out;
   }
 
+  std::string quantity() const {
+    return step_.quantity > 1 ? fmt::format(", {}x", step_.quantity) : std::string();
+  }
   std::string title() const {
-    if (step_.assembly.empty()) return {};
-    return step_.quantity > 1 ? fmt::format("{}, {}x", step_.assembly, step_.quantity)
-                              : step_.assembly;
+    return step_.assembly.empty() ? std::string() : step_.assembly + quantity();
   }
 
   /// Of the number, the name and the scale.
@@ -228,10 +245,10 @@ class Page {
     return glm::dot(look.direction, glm::normalize(maker_.book.view.direction)) < kSame;
   }
 
-  void write_head(bool turned, const std::string& scale, Drawing& drawing) const {
+  void write_head(const PagePlan& plan, const std::string& scale, Drawing& drawing) const {
     const Box2 frame = inside(maker_.book.view.paper, maker_.book.margin);
     Layer layer{"step", {}};
-    if (turned) {
+    if (is_turned(plan.look)) {
       const double beside = text_width(std::to_string(number_), kNumber) + kTurn;
       add_turn_symbol({frame.min.x + beside, frame.max.y - 0.5 * kNumber}, layer);
     }
@@ -240,10 +257,14 @@ class Page {
       layer.texts.push_back({at, height, TextAnchor::Start, std::move(text), "step", 0});
     };
     write(std::to_string(number_), kNumber);
-    const std::string name = title();
-    if (!name.empty()) {
+    if (!step_.assembly.empty()) {
       at.y -= kLine * kHeading;
-      write(fitted_text(name, kHeading, 0.4 * maker_.book.view.paper.width), kHeading);
+      // Up to the small pictures; however long the name is, its quantity stays.
+      const double room =
+          std::max(0.4 * maker_.book.view.paper.width, plan.grid.box.min.x - kApart - frame.min.x);
+      const std::string count = quantity();
+      write(fitted_text(step_.assembly, kHeading, room - text_width(count, kHeading)) + count,
+            kHeading);
     }
     if (!scale.empty()) {
       at.y -= kLine * kScale;

@@ -3,11 +3,15 @@
 #include <burin/book/book.h>
 
 #include <burin_test/exploded.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -25,11 +29,11 @@ Scene stack() {
 
 class BookOf : public ::testing::Test {
  protected:
-  Book make(const Scene& scene, BookOptions options = {}) {
+  Book make(const Scene& scene, BookOptions options = {}, std::vector<ExplodeStep> steps = {}) {
     const std::vector<bool> all(scene.parts.size(), true);
     const ExplodeModel model(scene, all, context_);
     Diagnostics said;
-    const auto steps = model.find({.along = Vec3(0, 0, 1)}, said, context_).steps;
+    if (steps.empty()) steps = model.find({.along = Vec3(0, 0, 1)}, said, context_).steps;
     IllustrateOptions how;
     how.annotations.emplace();
     for (const Item& item : find_items(scene, {}, said, context_)) {
@@ -109,6 +113,28 @@ TEST_F(BookOf, WhatStandsAlreadyHasLighterLines) {
   }
   EXPECT_GT(old_widest, 0);
   EXPECT_LT(old_widest, 0.6 * new_widest);
+}
+
+TEST_F(BookOf, ALongNameKeepsItsQuantity) {
+  const std::string name = "column of the bearing with a name that no page has room for";
+  Scene scene;
+  test::add_part(scene, "base", test::box({0, 0, 0}, {60, 20, 2}));
+  for (int i = 0; i < 2; ++i) {
+    const double x = 10 + 30 * i;
+    const std::vector<std::string> path{fmt::format("{} {}", name, i + 1)};
+    test::add_part(scene, "pad", test::box({x, 5, 2}, {x + 10, 15, 4}), path);
+    test::add_part(scene, "pin", test::box({x + 4, 9, 4}, {x + 6, 11, 14}), path);
+  }
+  const auto out = [](std::vector<std::size_t> parts) {
+    return ExplodeStep{.parts = std::move(parts), .along = {0, 0, 1}, .by = 10};
+  };
+  const Book book = make(scene, {}, {out({1, 2, 3, 4}), out({2}), out({4})});
+  ASSERT_EQ(book.pages.size(), 2U);
+  const auto step = std::ranges::find(book.pages.front().drawing.layers, "step", &Layer::name);
+  ASSERT_NE(step, book.pages.front().drawing.layers.end());
+  EXPECT_TRUE(std::ranges::any_of(step->texts, [](const Text& text) {
+    return text.text.starts_with("column of the") && text.text.ends_with(", 2x");
+  }));
 }
 
 TEST_F(BookOf, WhatIsHiddenIsLookedAtFromAnotherSide) {
