@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace burin::detail {
@@ -96,9 +97,26 @@ std::vector<Vec3> moved(std::vector<Vec3> points, Vec3 by) {
   return points;
 }
 
+/// Whether an axis leans to the viewer, so that the view shows one of its ends.
+bool leans(const Feature& f, const Shown& shown) {
+  return f.has_axis() && !shown.in_sheet(f.along) && !shown.end_on(f.along);
+}
+
+/// The end of a turned face that is nearer to the viewer, from `Feature::point` along its axis.
+double near_end(const Feature& f, const Shown& shown) {
+  return glm::dot(f.along, shown.to_viewer()) >= 0 ? f.high : f.low;
+}
+
+/// Where a distance ends at a feature: of an axis that leans at the end that is seen.
+Vec3 end_at(const Feature& f, Vec3 at, const Shown& shown) {
+  if (!leans(f, shown)) return at;
+  return at + (near_end(f, shown) - glm::dot(at - f.point, f.along)) * f.along;
+}
+
 /// Points at which extension lines may begin: of an axis its ends, or where its centre mark ends.
 std::vector<Vec3> starts_of(const Feature& f, Vec3 at, Vec3 along, const Shown& shown) {
   if (!f.has_axis()) return f.kind == FeatureKind::Sphere ? std::vector{f.point} : f.points;
+  if (leans(f, shown)) return {end_at(f, at, shown)};
   if (shown.end_on(f.along) && shown.view.centre_lines) {
     const Vec3 side = f.radius * glm::cross(shown.to_viewer(), along);
     return {at - side, at, at + side};
@@ -108,17 +126,28 @@ std::vector<Vec3> starts_of(const Feature& f, Vec3 at, Vec3 along, const Shown& 
 }
 
 /// Along the axes of space both ends are side by side: an axis goes on to where the other feature
-/// has points.
+/// has points. Not into its part, where it is hidden, unless it meets nothing else.
 void reach_beside(const Shown& shown, Dimension& one) {
-  const auto reach = [&](const Feature& axis, std::vector<Vec3>& points,
+  const auto reach = [&](const Feature& axis, std::vector<Vec3>& points, const Feature& other,
                          const std::vector<Vec3>& others) {
-    if (!axis.has_axis()) return;
+    if (!axis.has_axis() || others.empty()) return;
     const Vec3 at = axis.point + shown.row.moved;
-    for (const Vec3& p : others) points.push_back(at + glm::dot(p - at, axis.along) * axis.along);
+    const Vec3 out = glm::dot(axis.along, shown.to_viewer()) >= 0 ? axis.along : -axis.along;
+    const auto height = [&](const Vec3& p) { return glm::dot(p - at, out); };
+    const double end = leans(axis, shown) ? height(at + near_end(axis, shown) * axis.along)
+                                          : -std::numeric_limits<double>::infinity();
+    // As `ends_of` in the layout: what is that near is beside each other.
+    const double near = 1e-6 * shown.row.distance.length;
+    const double most = height(*std::ranges::max_element(others, {}, height));
+    const double least = other.has_axis() ? end : std::min(end, most);
+    for (const Vec3& p : others) {
+      if (height(p) >= least - near) points.push_back(at + height(p) * out);
+    }
   };
   const std::vector<Vec3> from = one.from_points, to = one.to_points;
-  reach(shown.row.of[0], one.from_points, to);
-  reach(shown.row.of[1], one.to_points, from);
+  const Feature &first = shown.row.of[0], &second = shown.row.of[1];
+  reach(first, one.from_points, second, to);
+  reach(second, one.to_points, first, from);
 }
 
 std::optional<RowInView> distance_in(const Shown& shown) {
@@ -129,7 +158,7 @@ std::optional<RowInView> distance_in(const Shown& shown) {
   const Vec3 by = shown.row.moved;
   out.rank = (square ? Best : Oblique) + (shown.all_seen() ? 0 : square ? Hidden : 1);
   Dimension& one = out.dimension;
-  one.from = d.from + by;
+  one.from = end_at(shown.row.of[0], d.from, shown) + by;
   // What lies across the distance is where extension lines begin, not where the line ends.
   one.to = one.from + d.length * d.along;
   one.from_points = moved(starts_of(shown.row.of[0], d.from, d.along, shown), by);
@@ -161,10 +190,9 @@ Dimension round(Vec3 center, Vec3 axis, Vec3 out, double sweep) {
   return one;
 }
 
-/// The end of a turned face that is nearer to the viewer.
-Vec3 near_end(const Feature& f, const Shown& shown) {
-  const bool high = glm::dot(f.along, shown.to_viewer()) >= 0;
-  return f.point + (high ? f.high : f.low) * f.along + shown.row.moved;
+/// The middle of a turned face at the end that is nearer to the viewer.
+Vec3 near_middle(const Feature& f, const Shown& shown) {
+  return f.point + near_end(f, shown) * f.along + shown.row.moved;
 }
 
 /// A leader ends where the rim of a hole, or of what stands out, is seen.
@@ -219,7 +247,7 @@ std::optional<RowInView> diameter_in(const Shown& shown) {
   const bool seen = shown.seen(0);
   if (shown.end_on(f.along) || shown.pictorial()) {
     const bool oblique = !shown.end_on(f.along);
-    out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point),
+    out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point),
                           f.turn > kWhole ? 360 : f.turn);
     if (oblique) end_where_seen(shown, out.dimension);
     out.rank = oblique ? (seen ? Oblique : HiddenOblique)
@@ -261,7 +289,7 @@ std::optional<RowInView> radius_in(const Shown& shown) {
   const bool square = shown.end_on(f.along);
   if (!square && !shown.pictorial()) return std::nullopt;
   RowInView out;
-  out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
+  out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
   if (!square) end_where_seen(shown, out.dimension);
   const bool seen = shown.seen(0);
   out.rank = square ? (seen ? Best : Hidden) : (seen ? Oblique : HiddenOblique);
