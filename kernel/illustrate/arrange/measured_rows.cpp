@@ -5,6 +5,8 @@
 #include <burin/base/error.h>
 #include <burin/measure/measure.h>
 
+#include "realised_forms.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,33 +31,8 @@ namespace {
 
 using Kind = DimensionRow::Kind;
 
-/// Of the diagonal of what is drawn: how finely parts are realised, about as for a sheet, so that
-/// faces have the numbers that a drawing gives them.
-constexpr double kFine = 2e-4;
-/// Of the same: how far a point may lie from the feature that it names.
+/// Of the diagonal of what is drawn: how far a point may lie from the feature that it names.
 constexpr double kNear = 1e-2;
-
-/// Forms as they are realised to be measured, each once.
-class RealisedForms {
- public:
-  /// `diagonal`: of what is drawn, model mm.
-  RealisedForms(double diagonal, RunContext& context) : context_(context) {
-    if (diagonal > 0) options_.tolerance = kFine * diagonal;
-    options_.curvature = false;
-  }
-
-  /// Throws as Form::realise.
-  const std::shared_ptr<const Surface>& surface(const std::shared_ptr<const Form>& form) {
-    std::shared_ptr<const Surface>& made = made_[form];
-    if (!made) made = form->realise(options_, context_);
-    return made;
-  }
-
- private:
-  RealiseOptions options_;
-  RunContext& context_;
-  std::map<std::shared_ptr<const Form>, std::shared_ptr<const Surface>> made_;
-};
 
 /// A feature that is not found again.
 class LostPlace : public UsageError {

@@ -2,8 +2,6 @@
 
 #include <burin/arrange/illustration.h>
 
-#include "seen_feature.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,6 +22,7 @@ enum Rank { Best, Second, Hidden, HiddenSecond, Oblique, HiddenOblique };
 struct Shown {
   const MeasuredRow& row;
   const MeasuringView& view;
+  const Sight& sight;
   Vec3 to_viewer() const { return glm::transpose(view.axes)[2]; }
   bool in_sheet(Vec3 along) const { return std::abs(glm::dot(along, to_viewer())) < kSquare; }
   bool end_on(Vec3 along) const { return glm::length(glm::cross(along, to_viewer())) < kSquare; }
@@ -35,8 +34,8 @@ struct Shown {
   }
   bool seen(std::size_t feature) const {
     const auto& surface = row.there[view.scene][feature];
-    return !surface ||
-           shows_feature(*surface, row.of[feature], row.row.of[feature].kind, to_viewer());
+    return !surface || sight.shows({*surface, row.of[feature], row.row.of[feature].kind, row.moved},
+                                   to_viewer());
   }
   bool all_seen() const {
     for (std::size_t k = 0; k < row.of.size(); ++k) {
@@ -198,14 +197,11 @@ Vec3 near_middle(const Feature& f, const Shown& shown) {
 /// A leader ends where the rim of a hole, or of what stands out, is seen.
 void end_where_seen(const Shown& shown, Dimension& round) {
   const Feature& f = shown.row.of.front();
-  const auto& surface = shown.row.there[shown.view.scene].front();
-  if (!surface) return;
-  const double off = 1e-3 * surface->proxy().mesh.bounds().diagonal();
-  const Vec3 ahead = off * (glm::dot(f.along, shown.to_viewer()) < 0 ? -f.along : f.along);
+  const Vec3 ahead = glm::dot(f.along, shown.to_viewer()) < 0 ? -f.along : f.along;
   for (const Vec3& p : points_of_round(round)) {
-    const Vec3 out = off * glm::normalize(p - round.from), at = p - shown.row.moved;
-    const Vec3 beside = at + ahead + (f.hollow ? -out : out);
-    if (shows_place(*surface, beside, shown.to_viewer())) round.from_points.push_back(p);
+    const Vec3 out = glm::normalize(p - round.from);
+    const Vec3 way = glm::normalize(ahead + (f.hollow ? -out : out));
+    if (shown.sight.shows_place(p, way, shown.to_viewer())) round.from_points.push_back(p);
   }
 }
 
@@ -348,12 +344,12 @@ std::optional<RowInView> angle_in(const Shown& shown) {
 }  // namespace
 
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
-                                     const DimensionOptions& style) {
+                                     const Sight& sight, const DimensionOptions& style) {
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     const bool point = row.parts[k] == MeasuredRow::kNoPart;
     if (!point && !row.there[view.scene][k]) return std::nullopt;  // cut away
   }
-  const Shown shown{row, view};
+  const Shown shown{row, view, sight};
   bool end_on = false;
   std::optional<RowInView> out;
   switch (row.row.kind) {
@@ -374,7 +370,9 @@ std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView
       out = depth_in(shown, end_on);
       break;
   }
-  if (out) write(row, style, end_on, out->dimension);
+  if (!out) return out;
+  write(row, style, end_on, out->dimension);
+  out->seen = out->rank == Best || out->rank == Second || out->rank == Oblique;
   return out;
 }
 

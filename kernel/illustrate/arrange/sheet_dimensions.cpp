@@ -50,16 +50,18 @@ void shrink(double& a, double& b, double most) {
   b *= share;
 }
 
-/// What a user may add to see a row.
-std::string advice(const MeasuredRow& row, const DimensionOptions& style) {
+/// What a user may do to see a row.
+std::string advice(const MeasuredRow& row, const Sight& sight, const DimensionOptions& style) {
+  bool hidden = false;
   for (const char* name : {"front", "top", "left", "right", "back", "bottom"}) {
     const NamedView named = view_in_grid(name);
     const ViewOptions view{.direction = named.direction, .up = named.up};
-    if (const auto shown = row_in_view(row, {axes_of(view)}, style); shown && shown->rank < 4) {
-      return fmt::format(": add {} to `views`", name);
-    }
+    const auto shown = row_in_view(row, {axes_of(view)}, sight, style);
+    if (!shown) continue;
+    if (shown->seen) return fmt::format(": add {} to `views`", name);
+    hidden = true;
   }
-  return "";
+  return hidden ? ": cut it open (`section`) or draw hidden lines (`hidden`)" : "";
 }
 
 }  // namespace
@@ -78,6 +80,7 @@ bool holds(const Margin& a, const Margin& b) {
 SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
                                  std::vector<SheetView> views)
     : style_(illustration.style.dimension),
+      sights_(illustration.sights),
       most_(most_room(illustration)),
       views_(std::move(views)),
       lists_(views_.size()) {
@@ -113,25 +116,42 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   std::optional<RowInView> best;
   std::size_t where = 0;
   bool cut = true;
+  std::vector<std::string> hidden_in;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!is_wanted(views_[i])) continue;
-    cut &= is_cut_away(row, views_[i].as.scene);
-    std::optional<RowInView> shown = row_in_view(row, views_[i].as, style_);
-    if (!shown || (best && shown->rank >= best->rank)) continue;
+    const MeasuringView& view = views_[i].as;
+    cut &= is_cut_away(row, view.scene);
+    std::optional<RowInView> shown = row_in_view(row, view, *sights_[view.scene], style_);
+    if (!shown) continue;
+    if (!shown->seen && !view.hidden_lines) {
+      hidden_in.push_back(views_[i].name);
+      if (wanted.empty()) continue;
+    }
+    if (best && shown->rank >= best->rank) continue;
     best = std::move(shown);
     where = i;
   }
+  const auto tell = [&](const char* code, const std::string& what) {
+    scene.diagnostics.add(Severity::Warning, code, 1,
+                          fmt::format("{}{} {}", row.row.place, called(row), what));
+  };
   if (best) {
     lists_[where].push_back(std::move(best->dimension));
-    return;
+    if (hidden_in.empty() || wanted.empty()) return;
+    return tell("dimensions.hidden",
+                fmt::format("stands in the view {}, where what it measures is hidden", wanted));
   }
   std::string why = "a section takes what it measures away";
-  if (!cut) {
-    why = wanted.empty() ? "no view of the sheet shows it as it is" + advice(row, style_)
-                         : fmt::format("the view {} does not show it as it is", wanted);
+  if (!cut && !wanted.empty()) {
+    why = fmt::format("the view {} does not show it as it is", wanted);
+  } else if (!cut) {
+    why = hidden_in.empty()
+              ? "no view of the sheet shows it as it is"
+              : fmt::format("what it measures is hidden in the {} {}",
+                            hidden_in.size() > 1 ? "views" : "view", fmt::join(hidden_in, ", "));
+    why += advice(row, *sights_.front(), style_);
   }
-  scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
-                        fmt::format("{}{} is not drawn: {}", row.row.place, called(row), why));
+  tell("dimensions.not_drawn", "is not drawn: " + why);
 }
 
 ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) const {

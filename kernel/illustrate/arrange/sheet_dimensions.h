@@ -10,6 +10,7 @@
 #include "row_in_view.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ class SheetDimensions {
   void deal_row(Scene& scene, const MeasuredRow& row);
 
   const DimensionOptions& style_;
+  const std::vector<std::shared_ptr<const Sight>>& sights_;
   /// Paper mm that dimensions may take beside a view, right and up; infinite of sheets that grow.
   Vec2 most_;
   Box3 drawn_;

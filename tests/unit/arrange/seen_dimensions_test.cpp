@@ -78,18 +78,96 @@ TEST_F(SeenDimensions, BeginAtTheEndOfAnAxisThatIsSeen) {
     plan_.view.up = {0, 0, 1};
     add(Kind::Distance, {at({28.5, 15, 6}), at({0, 5, 2})});
     add(Kind::Distance, {at({40, 0, 2}), at({28.5, 15, 6})});
-    add(Kind::Distance, {at({28.5, 15, 6}), at({63.25, 40, 8})}).along = Vec3(1, 0, 0);
+    if (height > 0) {
+      add(Kind::Distance, {at({28.5, 15, 6}), at({63.25, 40, 8})}).along = Vec3(1, 0, 0);
+    }
     const std::vector<Dimension> list = views().front().dimensions.list;
-    ASSERT_EQ(list.size(), 3U);
-    for (const std::vector<Vec3>& points :
-         {list[0].from_points, list[1].to_points, list[2].from_points}) {
+    EXPECT_EQ(list.size(), height > 0 ? 3U : 2U);
+    for (const Dimension& one : list) {
+      const bool first = std::ranges::all_of(one.from_points, [](Vec3 p) { return p.x == 20; });
+      const std::vector<Vec3>& points = first ? one.from_points : one.to_points;
       ASSERT_FALSE(points.empty());
       for (const Vec3& p : points) {
         EXPECT_NEAR(p.x, 20, 1e-9);
         EXPECT_NEAR(p.z, height, 1e-9);
       }
     }
+    EXPECT_EQ(told(), "");
   }
+}
+
+TEST_F(SeenDimensions, StandWhereNoPartHidesWhatTheyMeasure) {
+  plan_.views = {"front", "top", "back"};
+  add(Kind::Diameter, {at({5, 40, 8.5})});
+  add(Kind::Depth, {at({5, 40, 8.5})});
+  add(Kind::Depth, {at({63.25, 40, 8})});
+  EXPECT_EQ(texts(), (Texts{{"top", {"⌀6.5 ↧ 8"}}}));
+  EXPECT_EQ(told(),
+            "dimension 1 (diameter) is not drawn: what it measures is hidden in the views front, "
+            "top, back: add left to `views`");
+  // Those with hidden lines after those where it is seen.
+  SetUp();
+  plan_.views = {"front", "left"};
+  plan_.illustrate.hidden = HiddenLines::Dashed;
+  add(Kind::Diameter, {at({5, 40, 8.5})});
+  add(Kind::Depth, {at({5, 40, 8.5})});
+  add(Kind::Depth, {at({63.25, 40, 8})});
+  EXPECT_EQ(texts(), (Texts{{"front", {"8"}}, {"left", {"⌀5", "⌀5 ↧ 10"}}}));
+  SetUp();
+  plan_.views = {"front", "top"};
+  plan_.hidden_views = {"front"};
+  plan_.illustrate.hidden = HiddenLines::Dashed;
+  add(Kind::Diameter, {at({5, 40, 8.5})});
+  EXPECT_EQ(texts(), (Texts{{"front", {"⌀5"}}}));
+}
+
+TEST_F(SeenDimensions, AreDrawnWhereTheRowSaysWithAWarning) {
+  plan_.views = {"front", "left"};
+  add(Kind::Diameter, {at({5, 40, 8.5})}).view = "front";
+  EXPECT_EQ(texts(), (Texts{{"front", {"⌀5"}}}));
+  EXPECT_EQ(told("dimensions.hidden"),
+            "dimension 1 (diameter) stands in the view front, where what it measures is hidden");
+}
+
+TEST_F(SeenDimensions, StandInTheSectionThatCutsWhatTheyMeasure) {
+  plan_.views = {"front", "top"};
+  plan_.sections = {{.planes = {{.axis = {0, 1, 0}, .side = -1, .offset = 40}}, .own_view = true}};
+  add(Kind::Diameter, {at({5, 40, 8.5})});
+  add(Kind::Depth, {at({5, 40, 8.5})});
+  EXPECT_EQ(texts(), (Texts{{"A-A", {"⌀5", "10"}}}));
+  EXPECT_EQ(told(), "");
+}
+
+TEST_F(SeenDimensions, AreNotOfWhatAnotherPartHides) {
+  plan_.views = {"front", "top", "bottom"};
+  scene_.parts.push_back(
+      {"lid", "a.step",
+       test::brep_form(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 12), gp_Pnt(80, 50, 15)).Shape())});
+  add(Kind::Diameter, {at({28.5, 15, 6})});
+  add(Kind::Diameter, {at({63.25, 40, 8})});
+  EXPECT_EQ(texts(), (Texts{{"bottom", {"⌀17"}}}));
+  EXPECT_EQ(told(),
+            "dimension 2 (diameter) is not drawn: what it measures is hidden in the views front, "
+            "top, bottom: cut it open (`section`) or draw hidden lines (`hidden`)");
+  // Glass hides nothing.
+  plan_.illustrate.part_styles.resize(2);
+  plan_.illustrate.part_styles[1].transparent = true;
+  EXPECT_EQ(texts(), (Texts{{"top", {"⌀17", "⌀6.5"}}}));
+}
+
+/// The walls of a keyway end at the outline of the shaft from its end, which hides them.
+TEST_F(SeenDimensions, AreNotOfWallsBehindAnOutline) {
+  const gp_Ax2 axis(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0));
+  TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(axis, 15, 100).Shape();
+  shaft = BRepAlgoAPI_Cut(shaft,
+                          BRepPrimAPI_MakeBox(gp_Pnt(40, -2.5, 10), gp_Pnt(60, 2.5, 20)).Shape());
+  scene_.parts = {{"shaft", "a.step", test::brep_form(shaft)}};
+  plan_.views = {"front", "left", "right"};
+  add(Kind::Distance, {at({50, 2.5, 12}), at({50, -2.5, 12})});
+  add(Kind::Distance, {at({40, 0, 12}), at({60, 0, 12})});
+  // Of the ends of the keyway a corner is seen.
+  EXPECT_EQ(texts(), (Texts{{"front", {"20"}}}));
+  EXPECT_NE(told().find("add top to `views`"), std::string::npos) << told();
 }
 
 }  // namespace
