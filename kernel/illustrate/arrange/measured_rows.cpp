@@ -6,6 +6,7 @@
 #include <burin/measure/measure.h>
 
 #include "realised_forms.h"
+#include "through_hole.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,12 @@ class LostPlace : public UsageError {
   using UsageError::UsageError;
 };
 
+/// A hole that has no depth.
+class NoDepth : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
 /// The parts that are drawn, realised when they are asked for.
 class Measurer {
  public:
@@ -55,7 +62,14 @@ class Measurer {
     try {
       for (const FeatureRow& feature : row.of) add(feature, out);
       measure(out);
+      if (row.kind == Kind::Depth && goes_through(*surface(out.parts[0]), out.of[0], context_)) {
+        throw NoDepth(
+            "the hole goes through its part, so it has no depth: measure its `diameter`, or the "
+            "`distance` of the faces at its ends");
+      }
     } catch (const LostPlace&) {
+      throw;
+    } catch (const NoDepth&) {
       throw;
     } catch (const UsageError& e) {
       throw UsageError(fmt::format("{}{}: {}", row.place, called(out), e.what()));
@@ -270,20 +284,27 @@ std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
   return out;
 }
 
-/// Nothing where a feature lost its place, which is told.
+void tell(Scene& scene, const DimensionRow& row, std::size_t number, const char* code,
+          const std::string& what) {
+  MeasuredRow one;
+  one.row = row;
+  one.number = number;
+  scene.diagnostics.add(Severity::Warning, code, 1,
+                        fmt::format("{}{} {}", row.place, called(one), what));
+}
+
+/// Nothing where a feature lost its place or has no depth, which is told.
 std::optional<MeasuredRow> measured_row(Scene& scene, Measurer& measurer, const DimensionRow& row,
                                         std::size_t number) {
   try {
     return measurer.measured(row, number);
   } catch (const LostPlace& e) {
-    MeasuredRow lost;
-    lost.row = row;
-    lost.number = number;
-    scene.diagnostics.add(
-        Severity::Warning, "dimensions.lost", 1,
-        fmt::format("{}{} lost its place and is not drawn: {}", row.place, called(lost), e.what()));
-    return std::nullopt;
+    tell(scene, row, number, "dimensions.lost",
+         fmt::format("lost its place and is not drawn: {}", e.what()));
+  } catch (const NoDepth& e) {
+    tell(scene, row, number, "dimensions.not_drawn", fmt::format("is not drawn: {}", e.what()));
   }
+  return std::nullopt;
 }
 
 }  // namespace

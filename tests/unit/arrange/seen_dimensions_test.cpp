@@ -4,6 +4,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <burin_test/brep_shapes.h>
 #include <gtest/gtest.h>
 
@@ -168,6 +169,37 @@ TEST_F(SeenDimensions, AreNotOfWallsBehindAnOutline) {
   // Of the ends of the keyway a corner is seen.
   EXPECT_EQ(texts(), (Texts{{"front", {"20"}}}));
   EXPECT_NE(told().find("add top to `views`"), std::string::npos) << told();
+}
+
+TEST_F(SeenDimensions, OfDepthAreOfHolesThatEndInTheirPart) {
+  plan_.views = {"front", "top"};
+  add(Kind::Depth, {at({28.5, 15, 6})});
+  EXPECT_EQ(texts(), Texts{});
+  EXPECT_EQ(told(),
+            "dimension 1 (depth) is not drawn: the hole goes through its part, so it has no depth: "
+            "measure its `diameter`, or the `distance` of the faces at its ends");
+  // Aslant, through the wall of a tube, and from a larger hole at either end.
+  const auto drawn = [&](const TopoDS_Shape& shape, Vec3 place) {
+    SetUp();
+    plan_.views = {"front", "top", "left"};
+    scene_.parts = {{"part", "a.step", test::brep_form(shape)}};
+    add(Kind::Depth, {at(place)});
+    return !texts().empty();
+  };
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(60, 40, 20).Shape();
+  const gp_Pnt deep(10, 20, -10);
+  EXPECT_FALSE(drawn(without_hole(block, deep, gp_Dir(1, 0, 1), 4, 60), {30, 16, 10}));
+  TopoDS_Shape tube = without_hole(block, gp_Pnt(-1, 20, 10), gp_Dir(1, 0, 0), 8, 70);
+  tube = without_hole(tube, gp_Pnt(30, 20, 15), gp_Dir(0, 0, 1), 2, 20);
+  EXPECT_FALSE(drawn(tube, {32, 20, 19}));
+  TopoDS_Shape stepped = without_hole(block, gp_Pnt(30, 20, -1), gp_Dir(0, 0, 1), 3, 30);
+  stepped = without_hole(stepped, gp_Pnt(30, 20, 14), gp_Dir(0, 0, 1), 6, 30);
+  EXPECT_FALSE(drawn(stepped, {33, 20, 5}));
+  EXPECT_TRUE(drawn(stepped, {36, 20, 17}));  // the larger one ends at the smaller
+  // With a round bottom.
+  TopoDS_Shape round = without_hole(block, gp_Pnt(30, 20, 10), gp_Dir(0, 0, 1), 5, 30);
+  round = BRepAlgoAPI_Cut(round, BRepPrimAPI_MakeSphere(gp_Pnt(30, 20, 10), 5).Shape());
+  EXPECT_TRUE(drawn(round, {35, 20, 15}));
 }
 
 }  // namespace
