@@ -25,6 +25,9 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
     all.hard += one.hard;
     all.crossings += one.crossings;
   }
+  for (const PrintedPiece& piece : place.print.pieces) {
+    for (const std::vector<Vec2>& line : beside) all.crossings += crossings_of(piece, line);
+  }
   for (const Quad& letters : place.print.letters) {
     all.hard += overlap(letters, outline) ? 1 : 0;
     // Extension lines of an oblique view lean over the number between them.
@@ -86,9 +89,14 @@ DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
   return place_length(one, ground);
 }
 
-std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
+/// `beside`: what it goes about, too.
+std::vector<Vec2> outline_of(const Box3& about, const std::vector<std::vector<Vec2>>& beside,
+                             const PaperView& view) {
   if (about.empty()) return {};
   std::vector<Vec2> corners;
+  for (const std::vector<Vec2>& line : beside) {
+    corners.insert(corners.end(), line.begin(), line.end());
+  }
   for (int corner = 0; corner < 8; ++corner) {
     corners.push_back(view.at({(corner & 1) != 0 ? about.max.x : about.min.x,
                                (corner & 2) != 0 ? about.max.y : about.min.y,
@@ -103,7 +111,18 @@ std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
 LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                        const DimensionOptions& style, const Drawing* drawn) {
   using namespace detail;
-  DimensionGround ground{view, style, outline_of(dimensions.about, view), dimensions.taken, drawn};
+  std::vector<std::vector<Vec2>> beside;
+  for (const std::vector<Vec3>& line : dimensions.beside) {
+    std::vector<Vec2>& points = beside.emplace_back();
+    for (const Vec3& p : line) points.push_back(view.at(p));
+  }
+  DimensionGround ground{view,
+                         style,
+                         outline_of(dimensions.about, {}, view),
+                         outline_of(dimensions.about, beside, view),
+                         std::move(beside),
+                         dimensions.taken,
+                         drawn};
   const std::vector<std::size_t> order = order_of(dimensions.list, view);
   for (const std::size_t i : order) {
     ground.own = ground.laid.size();

@@ -29,8 +29,11 @@ struct DimensionPlace {
 struct DimensionGround {
   const PaperView& view;
   const DimensionOptions& style;
-  /// About what is drawn, convex, paper mm.
+  /// About the parts, and about these and what stands beside them, convex, paper mm.
+  std::vector<Vec2> part;
   std::vector<Vec2> outline;
+  /// Lines that stand beside the parts.
+  std::vector<std::vector<Vec2>> beside;
   Margin taken{0};
   const Drawing* drawn = nullptr;
   /// In the order in which places are looked for; those before `own` stay nearer to the drawing.

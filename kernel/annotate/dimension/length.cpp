@@ -56,6 +56,7 @@ class LengthSide {
     exit_ = exit_of(from_, to_, way_, ground.outline);
     reach_ = exit_ + (ground.first() + ground.taken_in(way_)) / across_;
     step_beyond_others();
+    from_ink_ = dimension.from_points.empty() && dimension.to_points.empty();
     starts_ = {start_of(from_, dimension.from_points), start_of(to_, dimension.to_points)};
   }
 
@@ -106,11 +107,14 @@ class LengthSide {
       last = last ? std::max(*last, out) : out;
     };
     for (const Vec3& p : points) look_at(ground_.view.at(p));
-    if (!points.empty() || !ground_.drawn) return last.value_or(0);
+    if (!points.empty()) return last.value_or(0);
+    if (!ground_.drawn) return exit_of(end, end, way_, ground_.part);
     if (!square_) last = 0;
     for (const Layer& layer : ground_.drawn->layers) {
       for (const Path& path : layer.paths) {
-        if (path.visible) std::ranges::for_each(path.points, look_at);
+        // Frames and letters are no outline of the part.
+        if (path.visible && path.kind != LineClass::Frame)
+          std::ranges::for_each(path.points, look_at);
       }
     }
     return last.value_or(0);
@@ -177,7 +181,7 @@ class LengthSide {
     // Of ends that may do, those before the part.
     constexpr double kDeep = 0.2;
     return kDeep * deep_ + kSlant * slant + kSide * (wide ? way_.y : way_.x) +
-           kOver * std::max(exit_ - start, 0.0) + kLong * (reach - exit_) +
+           (from_ink_ ? 0 : kOver * std::max(exit_ - start, 0.0)) + kLong * (reach - exit_) +
            (is_within(number) ? 0 : kBeyondEnd) + (number == NumberAt::Within ? 0 : kOffMiddle) +
            (number == NumberAt::Left ? kOtherEnd : 0) + (upwards_ ? kUpwards : 0);
   }
@@ -188,7 +192,7 @@ class LengthSide {
   double length_ = 0, across_ = 1, exit_ = 0, reach_ = 0;
   /// Paper mm away from the viewer.
   double deep_ = 0;
-  bool square_ = false, upwards_ = false;
+  bool square_ = false, upwards_ = false, from_ink_ = false;
   std::array<double, 2> starts_{};
 };
 

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/camera/view_grid.h>
+#include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "measured_rows.h"
@@ -50,6 +51,12 @@ void shrink(double& a, double& b, double most) {
   b *= share;
 }
 
+/// Whether a length is seen as long as it is.
+bool is_square(const Mat3& axes, Vec3 gap) {
+  constexpr double kSquare = 1e-6;
+  return glm::length(Vec2(axes * gap)) > (1 - kSquare) * glm::length(gap);
+}
+
 /// What a user may do to see a row.
 std::string advice(const MeasuredRow& row, const Sight& sight, const DimensionOptions& style) {
   bool hidden = false;
@@ -83,7 +90,8 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
       sights_(illustration.sights),
       most_(most_room(illustration)),
       views_(std::move(views)),
-      lists_(views_.size()) {
+      lists_(views_.size()),
+      beside_(views_.size()) {
   const bool overall = illustration.overall_dimensions && illustration.whole;
   if (!overall && illustration.measured.empty()) return;
   if (illustration.view.perspective) {
@@ -93,6 +101,25 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
   deal(scene, illustration);
+  keep_clear_of_annotations(scene, illustration);
+}
+
+void SheetDimensions::keep_clear_of_annotations(const Scene& scene,
+                                                const Illustration& illustration) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (lists_[i].empty()) continue;
+    const MeasuringView& view = views_[i].as;
+    const Scene& shown =
+        view.scene == 0 ? scene : *illustration.section_views[view.scene - 1].scene;
+    const Mat3 sides = glm::transpose(view.axes);
+    beside_[i] = annotation_lines(shown, illustration.illustrate.part_styles,
+                                  illustration.style.pmi, {.direction = sides[2], .up = sides[1]});
+    if (beside_[i].empty()) continue;
+    // The other side may have none of them.
+    for (Dimension& one : lists_[i]) {
+      if (one.overall && is_square(view.axes, one.to - one.from)) one.outwards = Vec3(0);
+    }
+  }
 }
 
 void SheetDimensions::deal(Scene& scene, const Illustration& illustration) {
@@ -155,7 +182,7 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
 }
 
 ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) const {
-  return {lists_[i], drawn_, taken};
+  return {lists_[i], drawn_, beside_[i], taken};
 }
 
 Margin SheetDimensions::room(std::size_t i, const ViewDimensions& dimensions, const Box3& extent,

@@ -41,6 +41,7 @@ class SheetDimensions {
 
  private:
   void deal(Scene& scene, const Illustration& illustration);
+  void keep_clear_of_annotations(const Scene& scene, const Illustration& illustration);
   void deal_row(Scene& scene, const MeasuredRow& row);
 
   const DimensionOptions& style_;
@@ -50,6 +51,8 @@ class SheetDimensions {
   Box3 drawn_;
   std::vector<SheetView> views_;
   std::vector<std::vector<Dimension>> lists_;
+  /// Of each view the annotations that stand beside its parts.
+  std::vector<std::vector<std::vector<Vec3>>> beside_;
 };
 
 /// Each side as large as the larger one.
