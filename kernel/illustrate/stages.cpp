@@ -335,7 +335,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (options.field) name_own_field(drawing);
   labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
                      style, part_styles, options, context);
-  lay_pmi(scene, part_styles, camera, trees->solid(), style, drawing);
+  lay_pmi(scene, part_styles, {camera, options.view_name}, trees->solid(), style, drawing);
   context.end_stage();
   return drawing;
 }

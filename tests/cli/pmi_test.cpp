@@ -98,6 +98,12 @@ TEST_F(AnnotationsOfFiles, AreDrawnWhereTheyFaceTheViewer) {
   }
 }
 
+TEST_F(AnnotationsOfFiles, AreMissedInTheViewThatIsNamed) {
+  ASSERT_EQ(draw("--views front,top --pmi"), 0) << err_;
+  EXPECT_NE(err_.find("view top: annotations seen from behind"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("view front: annotations"), std::string::npos) << err_;
+}
+
 TEST_F(AnnotationsOfFiles, AreNotDrawnUpsideDownOrBehindParts) {
   write("turned.step", "(300.,-500.,0.)", "(-1.,0.,0.)");
   ASSERT_EQ(draw("--view front --pmi", "turned.step"), 0) << err_;
@@ -163,6 +169,11 @@ TEST_F(AnnotationsOfFiles, ComeWithTheViewThatShowsThem) {
       << err_;
   EXPECT_EQ(paths().size(), 2U);
   EXPECT_EQ(drawing().at("view").at("direction"), (Json{0, -1, 0}));
+  EXPECT_EQ(run_words({"draw", folder_ / "bearing.step", "--saved-view", "Front side", "--view",
+                       "front", "-o", folder_ / "a.json"},
+                      ""),
+            2);
+  expect_error("--saved-view and --view both say where the drawing is seen from");
   EXPECT_EQ(draw("--saved-view Back"), 2);
   expect_error("the file has Front side");
   EXPECT_EQ(run("draw @/box.off --saved-view Back -o @/a.json"), 2);

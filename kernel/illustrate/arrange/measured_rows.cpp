@@ -225,6 +225,14 @@ class Measurer {
         out.value = out.distance.length;
         break;
       case Kind::Angle:
+        if (out.of.size() == 1) {
+          if (first.kind != F::Cone) {
+            refuse(out, "angle of its own", "name a cone, or two features");
+          }
+          out.angle = {.degrees = first.opening, .vertex = apex_of(first)};
+          out.value = first.opening;
+          break;
+        }
         out.angle = angle_between(first, out.of[1]);
         if (out.row.supplement) {
           out.angle.second = -out.angle.second;

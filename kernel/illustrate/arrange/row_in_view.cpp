@@ -144,9 +144,8 @@ void reach_beside(const Shown& shown, Dimension& one) {
     }
   };
   const std::vector<Vec3> from = one.from_points, to = one.to_points;
-  const Feature &first = shown.row.of[0], &second = shown.row.of[1];
-  reach(first, one.from_points, second, to);
-  reach(second, one.to_points, first, from);
+  reach(shown.row.of[0], one.from_points, shown.row.of[1], to);
+  reach(shown.row.of[1], one.to_points, shown.row.of[0], from);
 }
 
 std::optional<RowInView> distance_in(const Shown& shown) {
@@ -287,14 +286,12 @@ std::optional<RowInView> radius_in(const Shown& shown) {
   RowInView out;
   out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
   if (!square) end_where_seen(shown, out.dimension);
-  const bool seen = shown.seen(0);
-  out.rank = square ? (seen ? Best : Hidden) : (seen ? Oblique : HiddenOblique);
+  out.rank = (square ? Best : Oblique) + (shown.seen(0) ? 0 : square ? Hidden : 1);
   return out;
 }
 
 std::optional<RowInView> depth_in(const Shown& shown, bool& end_on) {
   const Feature& f = shown.row.of.front();
-  const bool seen = shown.seen(0);
   end_on = !shown.in_sheet(f.along);
   if (end_on) {
     std::optional<RowInView> out = diameter_in(shown);
@@ -311,7 +308,7 @@ std::optional<RowInView> depth_in(const Shown& shown, bool& end_on) {
   one.to = high;
   one.from_points = {low - side, low + side};
   one.to_points = {high - side, high + side};
-  out.rank = seen ? Best : Hidden;
+  out.rank = shown.seen(0) ? Best : Hidden;
   return out;
 }
 
@@ -326,7 +323,30 @@ Vec3 far_along(const Feature& f, Vec3 vertex, Vec3 along) {
   return vertex + (most > 0 ? most : 1) * along;
 }
 
+/// Between opposite sides of a cone, which the view sees from its side.
+std::optional<RowInView> cone_angle_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  if (!shown.in_sheet(f.along)) return std::nullopt;
+  const Vec3 apex = shown.row.angle.vertex;
+  const auto height = [&](const Vec3& p) { return std::abs(glm::dot(p - apex, f.along)); };
+  const auto [low, high] = std::ranges::minmax_element(f.points, {}, height);
+  const Vec3 axis = glm::dot(*high - apex, f.along) < 0 ? -f.along : f.along;
+  const Vec3 out = std::tan(glm::radians(0.5 * f.opening)) * glm::cross(axis, shown.to_viewer());
+  const auto end = [&](const Vec3& p, Vec3 side) {
+    return apex + height(p) * (axis + side) + shown.row.moved;
+  };
+  RowInView found{.dimension = {.kind = Dimension::Kind::Angle,
+                                .from = apex + shown.row.moved,
+                                .to = end(*high, out),
+                                .other = end(*high, -out)},
+                  .rank = shown.seen(0) ? Best : Hidden};
+  found.dimension.from_points = {end(*low, out), end(*high, out)};
+  found.dimension.to_points = {end(*low, -out), end(*high, -out)};
+  return found;
+}
+
 std::optional<RowInView> angle_in(const Shown& shown) {
+  if (shown.row.of.size() == 1) return cone_angle_in(shown);
   const MeasuredAngle& a = shown.row.angle;
   if (!shown.end_on(glm::normalize(glm::cross(a.first, a.second)))) return std::nullopt;
   RowInView out;

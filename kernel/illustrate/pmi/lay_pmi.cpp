@@ -143,19 +143,21 @@ class Laying {
     }
   }
 
-  void report(Diagnostics& diagnostics) const {
+  void report(const std::string& view, Diagnostics& diagnostics) const {
+    const std::string in = view.empty() ? "" : fmt::format("view {}: ", view);
     std::string more = "; another view shows them";
     if (!better_.empty()) more += ", such as `saved_view " + better_ + "`";
     if (turned_ > 0) {
       diagnostics.add(
           Severity::Warning, "pmi.turned_away", turned_,
-          fmt::format("annotations seen from behind, from their edge or upside down were "
+          fmt::format("{}annotations seen from behind, from their edge or upside down were "
                       "left out ({}){}",
-                      turned_, more));
+                      in, turned_, more));
     }
     if (covered_ > 0) {
-      diagnostics.add(Severity::Warning, "pmi.covered", covered_,
-                      fmt::format("annotations behind parts were left out ({}){}", covered_, more));
+      diagnostics.add(
+          Severity::Warning, "pmi.covered", covered_,
+          fmt::format("{}annotations behind parts were left out ({}){}", in, covered_, more));
     }
     if (unseen_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.not_shown", unseen_,
@@ -315,16 +317,16 @@ Box3 detail::pmi_bounds(const Scene& scene, std::span<const PartStyle> part_styl
   return box;
 }
 
-void detail::lay_pmi(const Scene& scene, const PartStyles& part_styles, const Camera& camera,
+void detail::lay_pmi(const Scene& scene, const PartStyles& part_styles, const AnnotatedView& view,
                      const Occluder& solid, const Style& style, Drawing& drawing) {
   Layer layer{"pmi", {}};
   layer.color = style.pmi.color;
-  Laying laying(camera, solid, style, layer, drawing.areas);
+  Laying laying(view.camera, solid, style, layer, drawing.areas);
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const PlacedPmi& placed = scene.parts[i].pmi;
     if (placed && part_styles.drawn(i)) laying.part(static_cast<std::int32_t>(i), placed);
   }
-  laying.report(drawing.diagnostics);
+  laying.report(view.name, drawing.diagnostics);
   if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
 }
 
