@@ -72,7 +72,7 @@ TEST_F(DimensionFiles, RefuseTextsThatCannotBeMeant) {
     return refused(R"({"distance": [[0, 15, 10], [40, 15, 10]], )" + more + "}");
   };
   EXPECT_NE(said(R"("tolerance": ["+0.1", "+0.2"])")
-                .find("the upper deviation stands first, and \"+0.1\" is less than \"+0.2\""),
+                .find("the upper deviation comes first, and \"+0.1\" is less than \"+0.2\""),
             std::string::npos)
       << err_;
   EXPECT_NE(said(R"("tolerance": ["a", "b"])").find("a deviation is a number such as \"+0.1\""),

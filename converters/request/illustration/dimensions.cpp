@@ -129,7 +129,7 @@ void read_tolerance(const KeyedFile& in, const Json& value, const std::string& p
   const Deviation upper = deviation(in, value[0], path + "/0"),
                   lower = deviation(in, value[1], path + "/1");
   if (upper.value < lower.value) {
-    in.fail(path, fmt::format("\"tolerance\": the upper deviation stands first, and \"{}\" is less "
+    in.fail(path, fmt::format("\"tolerance\": the upper deviation comes first, and \"{}\" is less "
                               "than \"{}\"",
                               upper.text, lower.text));
   }

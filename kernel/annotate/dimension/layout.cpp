@@ -18,6 +18,8 @@ double DimensionGround::taken_in(Vec2 way) const {
 }
 
 Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
+  // Paper mm: half a wide line, and as much again.
+  constexpr double kOffOutline = 0.7;
   Conflicts all;
   for (std::size_t i = 0; i < laid.size() && !alone; ++i) {
     if (i == own) continue;
@@ -29,7 +31,7 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
     for (const std::vector<Vec2>& line : beside) all.crossings += crossings_of(piece, line);
   }
   for (const Quad& letters : place.print.letters) {
-    all.hard += overlap(letters, outline) ? 1 : 0;
+    all.hard += overlap(grown(letters, kOffOutline), outline) ? 1 : 0;
     // Extension lines of an oblique view lean over the number between them.
     for (const PrintedPiece& piece : place.print.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};

@@ -166,7 +166,7 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
     lists_[where].push_back(std::move(best->dimension));
     if (hidden_in.empty() || wanted.empty()) return;
     return tell("dimensions.hidden",
-                fmt::format("stands in the view {}, where what it measures is hidden", wanted));
+                fmt::format("is drawn in the view {}, where what it measures is hidden", wanted));
   }
   std::string why = "a section takes what it measures away";
   if (!cut && !wanted.empty()) {

@@ -127,7 +127,7 @@ TEST_F(SeenDimensions, AreDrawnWhereTheRowSaysWithAWarning) {
   add(Kind::Diameter, {at({5, 40, 8.5})}).view = "front";
   EXPECT_EQ(texts(), (Texts{{"front", {"⌀5"}}}));
   EXPECT_EQ(told("dimensions.hidden"),
-            "dimension 1 (diameter) stands in the view front, where what it measures is hidden");
+            "dimension 1 (diameter) is drawn in the view front, where what it measures is hidden");
 }
 
 TEST_F(SeenDimensions, StandInTheSectionThatCutsWhatTheyMeasure) {
