@@ -22,7 +22,7 @@ enum Rank { Best, Second, Hidden, HiddenSecond, Oblique, HiddenOblique };
 struct Shown {
   const MeasuredRow& row;
   const MeasuringView& view;
-  const Sight& sight;
+  const FeatureSight& sight;
   Vec3 to_viewer() const { return glm::transpose(view.axes)[2]; }
   bool in_sheet(Vec3 along) const { return std::abs(glm::dot(along, to_viewer())) < kSquare; }
   bool end_on(Vec3 along) const { return glm::length(glm::cross(along, to_viewer())) < kSquare; }
@@ -364,7 +364,7 @@ std::optional<RowInView> angle_in(const Shown& shown) {
 }  // namespace
 
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
-                                     const Sight& sight, const DimensionOptions& style) {
+                                     const FeatureSight& sight, const DimensionOptions& style) {
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     const bool point = row.parts[k] == MeasuredRow::kNoPart;
     if (!point && !row.there[view.scene][k]) return std::nullopt;  // cut away

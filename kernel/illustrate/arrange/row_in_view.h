@@ -36,6 +36,6 @@ struct RowInView {
 /// `sight`: of the view's scene. Nothing where the view does not show it as long as it is, nor
 /// along the axes of space. `style`: of the sheet, which the row may change.
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
-                                     const Sight& sight, const DimensionOptions& style);
+                                     const FeatureSight& sight, const DimensionOptions& style);
 
 }  // namespace burin::detail

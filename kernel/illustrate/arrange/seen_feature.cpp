@@ -110,7 +110,8 @@ std::vector<std::shared_ptr<const Surface>> hiding(const Scene& scene,
 
 }  // namespace
 
-Sight::Sight(const Scene& scene, const std::vector<PartStyle>& styles, RunContext& context)
+FeatureSight::FeatureSight(const Scene& scene, const std::vector<PartStyle>& styles,
+                           RunContext& context)
     : surfaces_(hiding(scene, styles, context)) {
   std::vector<const ProxyMesh*> proxies;
   double tolerance = 0;
@@ -124,7 +125,7 @@ Sight::Sight(const Scene& scene, const std::vector<PartStyle>& styles, RunContex
   off_ = std::max(4 * tolerance, 1e-4 * occluder_->diagonal());
 }
 
-bool Sight::shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const {
+bool FeatureSight::shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   // Not through what lies on the surface, nor across a narrow gap.
   const auto before = occluder_->first_hit(on_surface, way, near_, 2 * off_);
@@ -132,7 +133,7 @@ bool Sight::shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const {
   return !occluder_->occluded(on_surface + off * way, to_viewer, near_, kFar);
 }
 
-bool Sight::shows(const SeenFeature& seen, Vec3 to_viewer) const {
+bool FeatureSight::shows(const SeenFeature& seen, Vec3 to_viewer) const {
   if (seen.kind == FeatureRow::Kind::Point) return true;
   const std::vector<Place> places = places_of(seen, to_viewer);
   const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
@@ -149,7 +150,7 @@ void look_at_sights(const Scene& scene, Illustration& illustration, RunContext& 
   if (illustration.measured.empty()) return;
   const std::vector<PartStyle>& styles = illustration.illustrate.part_styles;
   const auto add = [&](const Scene& of) {
-    illustration.sights.push_back(std::make_shared<const Sight>(of, styles, context));
+    illustration.sights.push_back(std::make_shared<const FeatureSight>(of, styles, context));
   };
   add(scene);
   for (const SectionView& view : illustration.section_views) add(*view.scene);

@@ -24,9 +24,9 @@ struct SeenFeature {
 
 /// What the parts of a scene hide of each other, and of themselves. Parts that are not drawn or of
 /// glass hide nothing. Cost: that of an Occluder of all parts, and two of its rays a place.
-class Sight {
+class FeatureSight {
  public:
-  Sight(const Scene& scene, const std::vector<PartStyle>& styles, RunContext& context);
+  FeatureSight(const Scene& scene, const std::vector<PartStyle>& styles, RunContext& context);
 
   /// Whether something of it is seen in a direction: of 1024 places of it at the most.
   bool shows(const SeenFeature& seen, Vec3 to_viewer) const;

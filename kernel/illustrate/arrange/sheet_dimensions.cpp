@@ -58,7 +58,8 @@ bool is_square(const Mat3& axes, Vec3 gap) {
 }
 
 /// What a user may do to see a row.
-std::string advice(const MeasuredRow& row, const Sight& sight, const DimensionOptions& style) {
+std::string advice(const MeasuredRow& row, const FeatureSight& sight,
+                   const DimensionOptions& style) {
   bool hidden = false;
   for (const char* name : {"front", "top", "left", "right", "back", "bottom"}) {
     const NamedView named = view_in_grid(name);

@@ -45,7 +45,7 @@ class SheetDimensions {
   void deal_row(Scene& scene, const MeasuredRow& row);
 
   const DimensionOptions& style_;
-  const std::vector<std::shared_ptr<const Sight>>& sights_;
+  const std::vector<std::shared_ptr<const FeatureSight>>& sights_;
   /// Paper mm that dimensions may take beside a view, right and up; infinite of sheets that grow.
   Vec2 most_;
   Box3 drawn_;

@@ -24,8 +24,8 @@
 namespace burin {
 
 namespace detail {
-class Sight;
-}
+class FeatureSight;
+}  // namespace detail
 
 /// How the parts that selectors name are drawn, where that differs from the others.
 struct Look {
@@ -149,7 +149,7 @@ struct Illustration {
   std::vector<DimensionRow> dimensions = {};
   std::vector<MeasuredRow> measured = {};
   /// What hides what is measured, in the scenes of `MeasuredRow::there`: what arranging makes.
-  std::vector<std::shared_ptr<const detail::Sight>> sights = {};
+  std::vector<std::shared_ptr<const detail::FeatureSight>> sights = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
