@@ -206,6 +206,10 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.spelling = spelling;
   draft.looks = request.looks;
   apply(draw_rows(), request.options, spelling, draft);
+  if (request.has("view") && !plan.saved_view.empty()) {
+    throw UsageError(
+        "`saved_view` and `view` both say where the drawing is seen from: leave one out");
+  }
   plan.finds_view = !request.has("view") && plan.views.empty() && plan.saved_view.empty();
   leave_out_ground(draft.named.style, plan);
   check_style(plan.style);

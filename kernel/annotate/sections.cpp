@@ -1,3 +1,4 @@
+#include <burin/annotate/place.h>
 #include <burin/annotate/sections.h>
 #include <burin/base/nearest_along.h>
 #include <burin/drawing/font.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace burin {
@@ -23,8 +25,28 @@ constexpr double kEnd = 1.0, kCorner = 0.6, kShaft = 1.8, kHead = 0.7, kBeside =
 constexpr double kOut = 3;
 // Of the width of narrow lines: outlines are as wide (ISO 128-2).
 constexpr double kWide = 2.8;
+constexpr std::string_view kDimensions = "dimensions";
 /// Paper mm: a centre line that near lies under the line of a cut.
 constexpr double kUnder = 0.1;
+
+/// Whether a line that is seen runs through letters. `only`: of that layer; empty: of any.
+bool is_crossed(const Text& text, const Drawing& sheet, std::string_view only) {
+  const Box2 box = text_box(text);
+  const Vec2 a = box.min, c = box.max, b(c.x, a.y), d(a.x, c.y);
+  const auto crosses = [&](const Vec2& from, const Vec2& to) {
+    return box.contains(from) || box.contains(to) || segments_cross(from, to, a, c) ||
+           segments_cross(from, to, b, d);
+  };
+  for (const Layer& layer : sheet.layers) {
+    if (!only.empty() && layer.name != only) continue;
+    for (const Path& path : layer.paths) {
+      for (std::size_t i = 1; path.visible && i < path.points.size(); ++i) {
+        if (crosses(path.points[i - 1], path.points[i])) return true;
+      }
+    }
+  }
+  return false;
+}
 
 /// Where the letter of an end stands: beside the arrow's shaft, away from the drawing.
 Text letter_at(Vec2 end, Vec2 inwards, const SectionMark& mark, double h) {
@@ -32,6 +54,17 @@ Text letter_at(Vec2 end, Vec2 inwards, const SectionMark& mark, double h) {
   const double reach = kBeside * h + glm::dot(glm::abs(inwards), half);
   const Vec2 middle = end - 0.5 * kShaft * h * mark.sight - reach * inwards;
   return {middle - Vec2(0, half.y), h, TextAnchor::Middle, mark.letter, "section", 0};
+}
+
+/// Or behind the arrow's tail, where lines of dimensions run beside its shaft.
+Text clear_letter(Vec2 end, Vec2 inwards, const SectionMark& mark, double h, const Drawing& sheet) {
+  Text beside = letter_at(end, inwards, mark, h);
+  if (!is_crossed(beside, sheet, kDimensions)) return beside;
+  const Vec2 half = 0.5 * Vec2(text_width(mark.letter, h), h);
+  const double reach = (kShaft + kBeside) * h + glm::dot(glm::abs(mark.sight), half);
+  Text behind = beside;
+  behind.at = end - reach * mark.sight - Vec2(0, half.y);
+  return is_crossed(behind, sheet, kDimensions) ? beside : behind;
 }
 
 /// An end of a line, moved out until its arrow and letter stand clear of those that are there.
@@ -49,13 +82,13 @@ Vec2 free_end(Vec2 end, Vec2 inwards, const SectionMark& mark, double h, const L
 
 /// An end of the line: wide, with an arrow that comes from the viewer's side, and its letter.
 void lay_end(Vec2 end, Vec2 inwards, const SectionMark& mark, const CalloutOptions& style,
-             Layer& layer) {
+             const Drawing& sheet, Layer& layer) {
   const double h = style.height, wide = kWide * style.line;
   layer.paths.push_back(line(end, end + kEnd * h * inwards, wide));
   const Vec2 tail = end - kShaft * h * mark.sight;
   layer.paths.push_back(line(tail, end - 0.5 * kHead * h * mark.sight, style.line));
   layer.paths.push_back(arrow_head(end, mark.sight, kHead * h));
-  layer.texts.push_back(letter_at(end, inwards, mark, h));
+  layer.texts.push_back(clear_letter(end, inwards, mark, h, sheet));
 }
 
 /// Both sides of the corner in which a step ends, wide.
@@ -111,18 +144,26 @@ void lay_sections(Drawing& sheet, std::span<const SectionMark> marks,
     path.points = course;
     plane.paths.push_back(std::move(path));
     const std::size_t last = course.size() - 1;
-    lay_end(course.front(), first, mark, style, over);
-    lay_end(course.back(), final, mark, style, over);
+    lay_end(course.front(), first, mark, style, sheet, over);
+    lay_end(course.back(), final, mark, style, sheet, over);
     for (std::size_t i = 1; i < last; ++i)
       lay_corner(course[i - 1], course[i], course[i + 1], style, over);
   }
   for (const SectionName& name : names) {
-    over.texts.push_back({{name.drawn.center().x, name.drawn.max.y + kAbove * style.height},
-                          style.height,
-                          TextAnchor::Middle,
-                          name.letter + "-" + name.letter,
-                          "section",
-                          0});
+    Text text{{name.drawn.center().x, name.drawn.max.y + kAbove * style.height},
+              style.height,
+              TextAnchor::Middle,
+              name.letter + "-" + name.letter,
+              "section",
+              0};
+    // Centre lines and extension lines go beyond the outline.
+    constexpr int kMostSteps = 4;
+    const double low = text.at.y;
+    for (int i = 0; i < kMostSteps && is_crossed(text, sheet, ""); ++i) {
+      text.at.y += kAbove * style.height;
+    }
+    if (is_crossed(text, sheet, "")) text.at.y = low;
+    over.texts.push_back(std::move(text));
   }
   if (!plane.paths.empty()) sheet.layers.push_back(std::move(plane));
   sheet.layers.push_back(std::move(over));

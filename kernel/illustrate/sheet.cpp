@@ -25,6 +25,7 @@ constexpr std::size_t kNamed = 3;
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
   IllustrateOptions options = all;
   options.magnified = view.magnified;
+  options.view_name = view.name;
   options.dimensions = view.dimensions;
   if (view.none_hidden) options.hidden = HiddenLines::None;
   if (view.within) {

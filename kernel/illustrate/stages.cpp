@@ -324,7 +324,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
                      style, part_styles, options, context);
   const PaperBreaks& breaks = options.broken.breaks;
   labels.cut = cut_stretches(proxies, part_styles, camera, breaks);
-  lay_pmi(scene, part_styles, camera, breaks, trees->solid(), style, drawing);
+  lay_pmi(scene, part_styles, {camera, breaks, options.view_name}, trees->solid(), style, drawing);
   context.end_stage();
   return drawing;
 }

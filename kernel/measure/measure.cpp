@@ -181,4 +181,12 @@ MeasuredAngle angle_between(const Feature& a, const Feature& b) {
   return out;
 }
 
+Vec3 apex_of(const Feature& cone) {
+  const auto width = [&](const Vec3& p) { return glm::length(reject(p - cone.point, cone.along)); };
+  const auto [narrow, wide] = std::ranges::minmax_element(cone.points, {}, width);
+  const double sense = glm::dot(*wide - *narrow, cone.along) < 0 ? -1 : 1;
+  const double back = width(*wide) / std::tan(glm::radians(0.5 * cone.opening));
+  return cone.point + (glm::dot(*wide - cone.point, cone.along) - sense * back) * cone.along;
+}
+
 }  // namespace burin

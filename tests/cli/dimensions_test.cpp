@@ -55,7 +55,8 @@ TEST_F(DimensionFiles, SayWhatRowsTake) {
   EXPECT_NE(refused(R"({"radius": [0, 0, 0], "supplement": true})")
                 .find("\"supplement\" is for an angle"),
             std::string::npos);
-  EXPECT_NE(refused(R"({"radius": [0, 0, 0], "unit": "yard"})").find("takes mm, cm, m, inch"),
+  EXPECT_NE(refused(R"({"radius": [0, 0, 0], "unit": "yard"})")
+                .find("\"unit\" takes mm, cm, m, inch, not yard"),
             std::string::npos);
   EXPECT_NE(refused(R"({"radius": {"part": "box", "face": 0}})").find("a plane"),
             std::string::npos);
@@ -63,6 +64,47 @@ TEST_F(DimensionFiles, SayWhatRowsTake) {
             std::string::npos)
       << err_;
   EXPECT_NE(refused(R"("all")").find("\"dimensions\" takes none or overall"), std::string::npos)
+      << err_;
+}
+
+TEST_F(DimensionFiles, RefuseTextsThatCannotBeMeant) {
+  const auto said = [&](const std::string& more) {
+    return refused(R"({"distance": [[0, 15, 10], [40, 15, 10]], )" + more + "}");
+  };
+  EXPECT_NE(said(R"("tolerance": ["+0.1", "+0.2"])")
+                .find("the upper deviation comes first, and \"+0.1\" is less than \"+0.2\""),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(said(R"("tolerance": ["a", "b"])").find("a deviation is a number such as \"+0.1\""),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(said(R"("text": "{valu}")").find("\"text\" has {valu}: only {value} is known"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(draw(R"([{"distance": [[0, 15, 10], [40, 15, 10]], "text": "2x {value}",
+                      "tolerance": ["+0,2\u00b0", "\u22120.1"]}])"),
+            0)
+      << err_;
+}
+
+/// A countersink: the angle between opposite sides of one cone, in the section that shows it.
+TEST_F(DimensionFiles, MeasureTheAngleOfACone) {
+  folder_.write("sunk.scad",
+                "$fn=96; difference() { cube([40, 30, 10]); translate([20, 15, 5]) "
+                "cylinder(h=5, r1=2, r2=7); }");
+  folder_.write("cone.burin.json", R"({"burin": "illustration", "style": "outline",
+    "parts": [{"file": "sunk.scad"}], "views": ["top"], "section": [{"plane": "y", "view": true}],
+    "dimensions": [{"angle": [[20, 19.5, 7.5]]}]})");
+  ASSERT_EQ(run("draw @/cone.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_EQ(texts(), Written{"90\u00b0"}) << err_;
+  EXPECT_NE(refused(R"({"angle": [[0, 15, 10]]})").find("name a cone, or two features"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(refused(R"({"angle": []})").find("takes a list of two features, or of one cone"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(refused(R"({"angle": [[0, 15, 10]], "supplement": true})").find("between two features"),
+            std::string::npos)
       << err_;
 }
 

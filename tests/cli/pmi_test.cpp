@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace burin {
@@ -112,6 +113,12 @@ TEST_F(AnnotationsOfFiles, RunOverBreaksOrAreLeftOut) {
   EXPECT_NE(err_.find("what a break leaves out are not drawn (1)"), std::string::npos) << err_;
 }
 
+TEST_F(AnnotationsOfFiles, AreMissedInTheViewThatIsNamed) {
+  ASSERT_EQ(draw("--views front,top --pmi"), 0) << err_;
+  EXPECT_NE(err_.find("view top: annotations seen from behind"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("view front: annotations"), std::string::npos) << err_;
+}
+
 TEST_F(AnnotationsOfFiles, AreNotDrawnUpsideDownOrBehindParts) {
   write("turned.step", "(300.,-500.,0.)", "(-1.,0.,0.)");
   ASSERT_EQ(draw("--view front --pmi", "turned.step"), 0) << err_;
@@ -138,6 +145,37 @@ TEST_F(AnnotationsOfFiles, HaveRoomOnTheSheet) {
   }
 }
 
+/// An annotation below the part, as high as letters are, and dimensions of the whole.
+TEST_F(AnnotationsOfFiles, HaveDimensionsOutsideOfThem) {
+  write("below.step", "(-25.,-500.,-40.)", "(1.,0.,0.)");
+  ASSERT_EQ(draw("--view front --pmi --dimensions overall", "below.step"), 0) << err_;
+  double low = 1e9, high = -1e9;
+  const Json lines = paths();
+  ASSERT_FALSE(lines.empty());
+  for (const Json& path : lines) {
+    for (const Json& point : path.at("points")) {
+      low = std::min(low, point[1].get<double>());
+      high = std::max(high, point[1].get<double>());
+    }
+  }
+  const Json all = drawing();
+  const auto layer = std::ranges::find_if(
+      all.at("layers"), [](const Json& one) { return one.at("name") == "dimensions"; });
+  ASSERT_NE(layer, all.at("layers").end());
+  ASSERT_EQ(layer->at("texts").size(), 2U);
+  int begin_at_part = 0, below = 0;
+  for (const Json& path : layer->at("paths")) {
+    const Json &a = path.at("points")[0], &b = path.at("points")[1];
+    const double top = std::max(a[1].get<double>(), b[1].get<double>());
+    if (a[0] == b[0] && std::min(a[1].get<double>(), b[1].get<double>()) < low) {
+      begin_at_part += top > high;
+    }
+    below += a[1] == b[1] && top < low;
+  }
+  EXPECT_EQ(begin_at_part, 2);  // both extension lines of the width
+  EXPECT_GE(below, 1);          // and its line
+}
+
 TEST_F(AnnotationsOfFiles, ComeWithTheViewThatShowsThem) {
   ASSERT_EQ(run_words({"draw", folder_ / "bearing.step", "--style", "outline", "--paper", "A6",
                        "--saved-view", "Front side", "-o", folder_ / "a.json"},
@@ -146,6 +184,11 @@ TEST_F(AnnotationsOfFiles, ComeWithTheViewThatShowsThem) {
       << err_;
   EXPECT_EQ(paths().size(), 2U);
   EXPECT_EQ(drawing().at("view").at("direction"), (Json{0, -1, 0}));
+  EXPECT_EQ(run_words({"draw", folder_ / "bearing.step", "--saved-view", "Front side", "--view",
+                       "front", "-o", folder_ / "a.json"},
+                      ""),
+            2);
+  expect_error("--saved-view and --view both say where the drawing is seen from");
   EXPECT_EQ(draw("--saved-view Back"), 2);
   expect_error("the file has Front side");
   EXPECT_EQ(run("draw @/box.off --saved-view Back -o @/a.json"), 2);

@@ -2,8 +2,13 @@
 
 #include "feature_rows.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace burin::detail {
@@ -17,13 +22,15 @@ constexpr std::array kUnits{"mm", "cm", "m", "inch"};
 constexpr std::array kSigns{"point", "comma"};
 constexpr std::size_t kMostRows = 1000;
 
-bool has_two(Kind kind) { return kind == Kind::Distance || kind == Kind::Angle; }
+bool has_list(Kind kind) { return kind == Kind::Distance || kind == Kind::Angle; }
+/// Of an angle one may do: that of a cone.
+std::size_t least_of(Kind kind) { return kind == Kind::Angle ? 1 : 2; }
 
 KeyRow<DimensionRow> kind_row(Kind kind) {
   Json one = feature_schema(), schema = one;
-  if (has_two(kind)) {
+  if (has_list(kind)) {
     schema = list_of(one);
-    schema["minItems"] = 2;
+    schema["minItems"] = least_of(kind);
     schema["maxItems"] = 2;
   }
   return {.name = to_string(kind),
@@ -32,31 +39,80 @@ KeyRow<DimensionRow> kind_row(Kind kind) {
               [kind](const KeyedFile& in, const Json& value, const std::string& path,
                      DimensionRow& to) {
                 to.kind = kind;
-                if (!has_two(kind)) {
+                if (!has_list(kind)) {
                   to.of = {read_feature(in, value, path)};
                   return;
                 }
-                if (!value.is_array() || value.size() != 2 || value[0].is_number()) {
+                if (!value.is_array() || value.size() < least_of(kind) || value.size() > 2 ||
+                    value[0].is_number()) {
                   in.fail(path,
-                          fmt::format("\"{}\" takes a list of two features", to_string(kind)));
+                          fmt::format("\"{}\" takes a list of two features{}", to_string(kind),
+                                      kind == Kind::Angle ? ", or of one cone" : ""));
                 }
-                to.of = {read_feature(in, value[0], path + "/0"),
-                         read_feature(in, value[1], path + "/1")};
+                to.of.clear();
+                for (std::size_t i = 0; i < value.size(); ++i) {
+                  to.of.push_back(read_feature(in, value[i], fmt::format("{}/{}", path, i)));
+                }
               },
           .write =
               [kind](const DimensionRow& from) {
                 if (from.kind != kind) return Json();
                 Json list = Json::array();
                 for (const FeatureRow& one : from.of) list.push_back(write_feature(one));
-                return has_two(kind) ? list : list[0];
+                return has_list(kind) ? list : list[0];
               }};
 }
 
+/// A deviation as it is written, and how large it is.
+struct Deviation {
+  std::string text;
+  double value = 0;
+};
+
+/// The number that a text begins with, which a degree sign may follow.
+std::optional<double> number_of(std::string_view given) {
+  constexpr std::string_view kMinus = "\u2212", kDegree = "\u00b0";
+  const bool minus = given.starts_with(kMinus) || given.starts_with('-');
+  if (minus || given.starts_with('+')) {
+    given.remove_prefix(given.starts_with(kMinus) ? kMinus.size() : 1);
+  }
+  if (given.ends_with(kDegree)) given.remove_suffix(kDegree.size());
+  std::string text(given);
+  std::ranges::replace(text, ',', '.');
+  const char* end = text.data() + text.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !(value >= 0 && std::isfinite(value))) {
+    return std::nullopt;
+  }
+  return minus ? -value : value;
+}
+
 /// A text, or a number with its sign.
-std::string deviation(const KeyedFile& in, const Json& value, const std::string& path) {
-  if (value.is_string()) return in.text(value, path);
-  const double number = in.number(value, path);
-  return number == 0 ? "0" : fmt::format("{:+g}", number);
+Deviation deviation(const KeyedFile& in, const Json& value, const std::string& path) {
+  if (!value.is_string()) {
+    const double number = in.number(value, path);
+    return {number == 0 ? "0" : fmt::format("{:+g}", number), number};
+  }
+  const std::string text = in.text(value, path);
+  const std::optional<double> number = number_of(text);
+  if (!number) {
+    in.fail(path, fmt::format("\"tolerance\": a deviation is a number such as \"+0.1\", not \"{}\"",
+                              text));
+  }
+  return {text, *number};
+}
+
+/// A text may have no other name in braces than that of the number.
+void check_text(const KeyedFile& in, const std::string& text, const std::string& path) {
+  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+    const std::size_t end = text.find('}', at);
+    if (end == std::string::npos) return;
+    const std::string name = text.substr(at, end + 1 - at);
+    if (name == "{value}") continue;
+    in.fail(path,
+            fmt::format("\"text\" has {}: only {{value}} is known, which is the number", name));
+  }
 }
 
 void read_tolerance(const KeyedFile& in, const Json& value, const std::string& path,
@@ -70,8 +126,15 @@ void read_tolerance(const KeyedFile& in, const Json& value, const std::string& p
   if (value.size() != 2) {
     in.fail(path, "\"tolerance\" takes text, or two deviations: the upper, then the lower");
   }
-  to.upper = deviation(in, value[0], path + "/0");
-  to.lower = deviation(in, value[1], path + "/1");
+  const Deviation upper = deviation(in, value[0], path + "/0"),
+                  lower = deviation(in, value[1], path + "/1");
+  if (upper.value < lower.value) {
+    in.fail(path, fmt::format("\"tolerance\": the upper deviation comes first, and \"{}\" is less "
+                              "than \"{}\"",
+                              upper.text, lower.text));
+  }
+  to.upper = upper.text;
+  to.lower = lower.text;
 }
 
 Json tolerance_schema() {
@@ -171,10 +234,13 @@ DimensionRow dimension(const KeyedFile& in, const Json& value, const std::string
   DimensionRow row;
   read_members(dimension_rows(), in, value, path, row);
   if (row.along && row.kind != Kind::Distance) in.fail(path, "\"along\" is for a distance");
-  if (row.supplement && row.kind != Kind::Angle) in.fail(path, "\"supplement\" is for an angle");
+  if (row.supplement && (row.kind != Kind::Angle || row.of.size() < 2)) {
+    in.fail(path, "\"supplement\" is for an angle between two features");
+  }
   if (row.kind == Kind::Thread && row.text.empty()) {
     in.fail(path, "a thread has \"text\", such as \"M8\": its shape alone does not tell");
   }
+  check_text(in, row.text, path + "/text");
   row.place = in.place(path);
   return row;
 }

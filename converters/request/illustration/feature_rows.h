@@ -16,7 +16,8 @@ std::size_t word_of(const KeyedFile& in, const Json& value, const std::string& p
   const std::string given = in.text(value, path);
   const auto found = std::ranges::find(words, given);
   if (found == words.end()) {
-    in.fail(path, fmt::format("takes {}, not {}", fmt::join(words, ", "), given));
+    in.fail(path, fmt::format("\"{}\" takes {}, not {}", path.substr(path.rfind('/') + 1),
+                              fmt::join(words, ", "), given));
   }
   return static_cast<std::size_t>(found - words.begin());
 }

@@ -79,9 +79,14 @@ class AngleArc {
     Path arc = line(vertex_, vertex_, ground_.style.line);
     arc.points.clear();
     for (int i = 0; i <= count; ++i) arc.points.push_back(at(radius, begin + whole * i / count));
+    // With its arrows, and as much beyond their tips.
+    const Vec2 before = at(radius, first_ - way * (over + turn)),
+               behind = at(radius, first_ + sweep_ + way * (over + turn));
+    out.print.pieces.push_back({before, arc.points.front(), Stroke::Dimension});
     for (std::size_t i = 0; i + 1 < arc.points.size(); ++i) {
       out.print.pieces.push_back({arc.points[i], arc.points[i + 1], Stroke::Dimension});
     }
+    out.print.pieces.push_back({arc.points.back(), behind, Stroke::Dimension});
     out.layer.paths.push_back(std::move(arc));
     for (const bool second : {false, true}) {
       const double end = second ? first_ + sweep_ : first_;

@@ -18,15 +18,20 @@ double DimensionGround::taken_in(Vec2 way) const {
 }
 
 Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
+  // Paper mm: half a wide line, and as much again.
+  constexpr double kOffOutline = 0.7;
   Conflicts all;
-  for (std::size_t i = 0; i < laid.size(); ++i) {
+  for (std::size_t i = 0; i < laid.size() && !alone; ++i) {
     if (i == own) continue;
     const Conflicts one = conflicts_of(place.print, laid[i].print, 0.9 * step());
     all.hard += one.hard;
     all.crossings += one.crossings;
   }
+  for (const PrintedPiece& piece : place.print.pieces) {
+    for (const std::vector<Vec2>& line : beside) all.crossings += crossings_of(piece, line);
+  }
   for (const Quad& letters : place.print.letters) {
-    all.hard += overlap(letters, outline) ? 1 : 0;
+    all.hard += overlap(grown(letters, kOffOutline), outline) ? 1 : 0;
     // Extension lines of an oblique view lean over the number between them.
     for (const PrintedPiece& piece : place.print.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};
@@ -37,16 +42,20 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   return all;
 }
 
+double cost_of(const Conflicts& found) {
+  constexpr double kCrossing = 10, kHard = 1000;
+  return kCrossing * found.crossings + kHard * found.hard;
+}
+
 DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int steps,
                           const DimensionGround& ground) {
-  /// Paper mm that a crossing, and letters on something, are as bad as.
-  constexpr double kCrossing = 10, kHard = 1000;
   DimensionPlace best;
   best.cost = std::numeric_limits<double>::infinity();
   for (int i = 0; i < steps; ++i) {
     DimensionPlace place = make(i);
     const Conflicts found = ground.conflicts(place);
-    place.cost += kCrossing * found.crossings + kHard * found.hard;
+    place.alone = place.cost;
+    place.cost += cost_of(found);
     if (place.cost < best.cost) best = std::move(place);
     if (found.hard == 0) break;
   }
@@ -86,9 +95,14 @@ DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
   return place_length(one, ground);
 }
 
-std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
+/// `beside`: what it goes about, too.
+std::vector<Vec2> outline_of(const Box3& about, const std::vector<std::vector<Vec2>>& beside,
+                             const PaperView& view) {
   if (about.empty()) return {};
   std::vector<Vec2> corners;
+  for (const std::vector<Vec2>& line : beside) {
+    corners.insert(corners.end(), line.begin(), line.end());
+  }
   for (int corner = 0; corner < 8; ++corner) {
     corners.push_back(view.at({(corner & 1) != 0 ? about.max.x : about.min.x,
                                (corner & 2) != 0 ? about.max.y : about.min.y,
@@ -97,13 +111,66 @@ std::vector<Vec2> outline_of(const Box3& about, const PaperView& view) {
   return convex_hull(std::move(corners));
 }
 
+/// Of all places, with what is wrong between them.
+double cost_of_all(DimensionGround& ground) {
+  double cost = 0;
+  for (std::size_t k = 0; k < ground.laid.size(); ++k) {
+    ground.own = k;
+    cost += ground.laid[k].alone + cost_of(ground.conflicts(ground.laid[k]));
+  }
+  return cost;
+}
+
+/// One that went far away because another was first takes the place that it would have alone, where
+/// the others find places that are better together.
+void make_room(const std::vector<Dimension>& list, const std::vector<std::size_t>& order,
+               DimensionGround& ground) {
+  constexpr double kMuchWorse = 8;  // paper mm
+  constexpr std::size_t kMostInTheWay = 3;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    std::vector<DimensionPlace> before = ground.laid;
+    ground.own = k;
+    ground.alone = true;
+    DimensionPlace alone = place_of(list[order[k]], ground);
+    ground.alone = false;
+    if (!(before[k].alone - alone.alone > kMuchWorse)) continue;
+    const double cost = cost_of_all(ground);
+    std::vector<std::size_t> in_the_way;
+    for (std::size_t other = 0; other < order.size(); ++other) {
+      if (other == k) continue;
+      if (conflicts_of(alone.print, before[other].print, 0.9 * ground.step()).hard > 0) {
+        in_the_way.push_back(other);
+      }
+    }
+    if (in_the_way.empty() || in_the_way.size() > kMostInTheWay) continue;
+    ground.laid[k] = std::move(alone);
+    for (const std::size_t other : in_the_way) ground.laid[other] = {};
+    for (const std::size_t other : in_the_way) {
+      ground.own = other;
+      ground.laid[other] = place_of(list[order[other]], ground);
+    }
+    if (!(cost_of_all(ground) < cost - 1e-6)) ground.laid = std::move(before);
+  }
+}
+
 }  // namespace
 }  // namespace detail
 
 LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                        const DimensionOptions& style, const Drawing* drawn) {
   using namespace detail;
-  DimensionGround ground{view, style, outline_of(dimensions.about, view), dimensions.taken, drawn};
+  std::vector<std::vector<Vec2>> beside;
+  for (const std::vector<Vec3>& line : dimensions.beside) {
+    std::vector<Vec2>& points = beside.emplace_back();
+    for (const Vec3& p : line) points.push_back(view.at(p));
+  }
+  DimensionGround ground{view,
+                         style,
+                         outline_of(dimensions.about, {}, view),
+                         outline_of(dimensions.about, beside, view),
+                         std::move(beside),
+                         dimensions.taken,
+                         drawn};
   const std::vector<std::size_t> order = order_of(dimensions.list, view);
   for (const std::size_t i : order) {
     ground.own = ground.laid.size();
@@ -124,6 +191,7 @@ LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
     }
     if (!moved) break;
   }
+  make_room(dimensions.list, order, ground);
   std::vector<Layer> layers(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     layers[order[k]] = std::move(ground.laid[k].layer);

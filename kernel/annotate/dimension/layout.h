@@ -17,8 +17,8 @@ namespace burin::detail {
 struct DimensionPlace {
   Footprint print;
   Layer layer{"", {}};
-  /// The less the better; crossings come to it.
-  double cost = 0;
+  /// The less the better: without the others, and with what is wrong between it and these.
+  double alone = 0, cost = 0;
   /// Of a length: across its line, outwards; where the line stands along it, and where it begins
   /// and ends along itself.
   Vec2 outwards{0};
@@ -29,13 +29,18 @@ struct DimensionPlace {
 struct DimensionGround {
   const PaperView& view;
   const DimensionOptions& style;
-  /// About what is drawn, convex, paper mm.
+  /// About the parts, and about these and what stands beside them, convex, paper mm.
+  std::vector<Vec2> part;
   std::vector<Vec2> outline;
+  /// Lines that stand beside the parts.
+  std::vector<std::vector<Vec2>> beside;
   Margin taken{0};
   const Drawing* drawn = nullptr;
   /// In the order in which places are looked for; those before `own` stay nearer to the drawing.
   std::vector<DimensionPlace> laid = {};
   std::size_t own = 0;
+  /// Whether places are looked for as if the others took up nothing.
+  bool alone = false;
 
   /// Paper mm from what is measured to the first line, and from line to line.
   double first() const { return 2.4 * style.height; }
@@ -50,6 +55,9 @@ struct DimensionGround {
 DimensionPlace place_length(const Dimension& dimension, const DimensionGround& ground);
 DimensionPlace place_round(const Dimension& dimension, const DimensionGround& ground);
 DimensionPlace place_angle(const Dimension& dimension, const DimensionGround& ground);
+
+/// Paper mm that conflicts are as bad as.
+double cost_of(const Conflicts& found);
 
 /// The first of the steps of a place without a hard conflict; of none that with the fewest.
 /// `make`: the place after that many steps.

@@ -38,9 +38,10 @@ DimensionPlace leader_place(Vec2 tip, Vec2 way, const DimensionLetters& letters,
     letters.lay(low, {1, 0}, out.layer);
     out.print.letters.push_back(letters.quad(low, {1, 0}));
     // At 45 degrees rather than steeper or flatter; to the right, above.
-    constexpr double kSlope = 4, kSide = 1, kLong = 0.4;
-    out.cost = kLong * length + kSlope * std::abs(std::abs(way.x) - std::abs(way.y)) -
-               kSide * (way.x + way.y);
+    // Over the part it may cross what is drawn there.
+    constexpr double kSlope = 4, kSide = 1, kLong = 0.4, kOver = 0.2;
+    out.cost = kLong * length + kOver * exit +
+               kSlope * std::abs(std::abs(way.x) - std::abs(way.y)) - kSide * (way.x + way.y);
     return out;
   };
   return first_free(make, kMostLeaderSteps, ground);

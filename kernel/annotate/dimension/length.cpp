@@ -24,10 +24,19 @@ struct Ends {
   Vec3 from{0}, to{0};
 };
 
-/// Where a number stands: in the middle of its line, between that and an end, or beyond an end.
-enum class NumberAt { Within, TowardsRight, TowardsLeft, Right, Left };
+/// Where a number stands: in the middle of its line, between that and an end, beyond an end, or a
+/// step beyond it.
+enum class NumberAt { Within, TowardsRight, TowardsLeft, Right, Left, FarRight, FarLeft };
+constexpr std::array kNumberPlaces{NumberAt::Within, NumberAt::TowardsRight, NumberAt::TowardsLeft,
+                                   NumberAt::Right,  NumberAt::Left,         NumberAt::FarRight,
+                                   NumberAt::FarLeft};
 
-bool is_within(NumberAt number) { return number != NumberAt::Right && number != NumberAt::Left; }
+bool is_far(NumberAt number) { return number == NumberAt::FarRight || number == NumberAt::FarLeft; }
+bool is_at_right(NumberAt number) {
+  return number == NumberAt::Right || number == NumberAt::FarRight;
+}
+bool is_at_left(NumberAt number) { return number == NumberAt::Left || number == NumberAt::FarLeft; }
+bool is_within(NumberAt number) { return !is_at_right(number) && !is_at_left(number); }
 
 /// Whether a direction is as long on paper as it is.
 bool lies_in_sheet(const PaperView& view, Vec3 along) {
@@ -56,6 +65,7 @@ class LengthSide {
     exit_ = exit_of(from_, to_, way_, ground.outline);
     reach_ = exit_ + (ground.first() + ground.taken_in(way_)) / across_;
     step_beyond_others();
+    from_ink_ = dimension.from_points.empty() && dimension.to_points.empty();
     starts_ = {start_of(from_, dimension.from_points), start_of(to_, dimension.to_points)};
   }
 
@@ -64,8 +74,7 @@ class LengthSide {
     best.cost = std::numeric_limits<double>::infinity();
     const double h = ground_.style.height, room = letters_.width() + kBeyondLine * h;
     const bool within = length_ >= room;
-    for (const NumberAt number : {NumberAt::Within, NumberAt::TowardsRight, NumberAt::TowardsLeft,
-                                  NumberAt::Right, NumberAt::Left}) {
+    for (const NumberAt number : kNumberPlaces) {
       if (!within && is_within(number)) continue;
       DimensionPlace place =
           first_free([&](int step) { return at_step(step, number); }, kMostSteps, ground_);
@@ -106,11 +115,14 @@ class LengthSide {
       last = last ? std::max(*last, out) : out;
     };
     for (const Vec3& p : points) look_at(ground_.view.at(p));
-    if (!points.empty() || !ground_.drawn) return last.value_or(0);
+    if (!points.empty()) return last.value_or(0);
+    if (!ground_.drawn) return exit_of(end, end, way_, ground_.part);
     if (!square_) last = 0;
     for (const Layer& layer : ground_.drawn->layers) {
       for (const Path& path : layer.paths) {
-        if (path.visible) std::ranges::for_each(path.points, look_at);
+        // Frames and letters are no outline of the part.
+        if (path.visible && path.kind != LineClass::Frame)
+          std::ranges::for_each(path.points, look_at);
       }
     }
     return last.value_or(0);
@@ -142,12 +154,13 @@ class LengthSide {
     if (inside) {
       add_line(a + 0.5 * arrow * along_, b - 0.5 * arrow * along_, Stroke::Dimension, out);
     } else {
-      const double beyond = width + kBeyondLine * h;
-      const double to_right = 2 * arrow + (number == NumberAt::Right ? beyond : 0),
-                   to_left = 2 * arrow + (number == NumberAt::Left ? beyond : 0);
+      const double away = 2 * arrow + (is_far(number) ? ground_.step() : 0),
+                   beyond = width + kBeyondLine * h;
+      const double to_right = is_at_right(number) ? away + beyond : 2 * arrow,
+                   to_left = is_at_left(number) ? away + beyond : 2 * arrow;
       add_line(left - to_left * right_way, right + to_right * right_way, Stroke::Dimension, out);
-      if (number == NumberAt::Right) middle = right + (2 * arrow + 0.5 * beyond) * right_way;
-      if (number == NumberAt::Left) middle = left - (2 * arrow + 0.5 * beyond) * right_way;
+      if (is_at_right(number)) middle = right + (away + 0.5 * beyond) * right_way;
+      if (is_at_left(number)) middle = left - (away + 0.5 * beyond) * right_way;
     }
     out.layer.paths.push_back(arrow_head(a, inside ? -along_ : along_, arrow));
     out.layer.paths.push_back(arrow_head(b, inside ? along_ : -along_, arrow));
@@ -167,8 +180,11 @@ class LengthSide {
   /// Across its length, below what is wide and at the left of what is high; extension lines short,
   /// above all those that run over the drawing.
   double cost_of(double reach, NumberAt number) const {
-    constexpr double kSide = 5, kSlant = 20, kOver = 0.3, kLong = 0.1;
-    constexpr double kBeyondEnd = 3, kOtherEnd = 1, kOffMiddle = 2;
+    constexpr double kSide = 5, kSlant = 20, kLong = 0.1;
+    // The other side is better than 7 mm more over the part; in oblique views lines over it lead
+    // from what is seen.
+    const double over = square_ ? 1.5 : 0.3;
+    constexpr double kBeyondEnd = 3, kOtherEnd = 1, kOffMiddle = 2, kFar = 4;
     // Lengths on the ground are measured there, where a view shows more than one way.
     constexpr double kUpwards = 12;
     const bool wide = std::abs(along_.x) >= std::abs(along_.y) - 1e-9;
@@ -177,9 +193,10 @@ class LengthSide {
     // Of ends that may do, those before the part.
     constexpr double kDeep = 0.2;
     return kDeep * deep_ + kSlant * slant + kSide * (wide ? way_.y : way_.x) +
-           kOver * std::max(exit_ - start, 0.0) + kLong * (reach - exit_) +
+           (from_ink_ ? 0 : over * std::max(exit_ - start, 0.0)) + kLong * (reach - exit_) +
            (is_within(number) ? 0 : kBeyondEnd) + (number == NumberAt::Within ? 0 : kOffMiddle) +
-           (number == NumberAt::Left ? kOtherEnd : 0) + (upwards_ ? kUpwards : 0);
+           (is_at_left(number) ? kOtherEnd : 0) + (is_far(number) ? kFar : 0) +
+           (upwards_ ? kUpwards : 0);
   }
 
   const DimensionGround& ground_;
@@ -188,7 +205,7 @@ class LengthSide {
   double length_ = 0, across_ = 1, exit_ = 0, reach_ = 0;
   /// Paper mm away from the viewer.
   double deep_ = 0;
-  bool square_ = false, upwards_ = false;
+  bool square_ = false, upwards_ = false, from_ink_ = false;
   std::array<double, 2> starts_{};
 };
 

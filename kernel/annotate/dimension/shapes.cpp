@@ -124,6 +124,14 @@ double exit_of(Vec2 a, Vec2 b, Vec2 way, std::span<const Vec2> outline) {
   return out > in ? std::max(out, 0.0) : 0;
 }
 
+int crossings_of(const PrintedPiece& piece, std::span<const Vec2> line) {
+  int out = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    out += cross_inside(piece, {line[i], line[i + 1]}) ? 1 : 0;
+  }
+  return out;
+}
+
 Conflicts conflicts_of(const Footprint& one, const Footprint& other, double apart) {
   constexpr double kBetween = 0.5;  // paper mm between letters
   Conflicts out;

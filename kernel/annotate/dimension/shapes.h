@@ -32,6 +32,9 @@ bool overlap(std::span<const Vec2> a, std::span<const Vec2> b);
 /// where it is.
 double exit_of(Vec2 a, Vec2 b, Vec2 way, std::span<const Vec2> outline);
 
+/// How often a piece crosses a line.
+int crossings_of(const PrintedPiece& piece, std::span<const Vec2> line);
+
 /// What one dimension takes up.
 struct Footprint {
   std::vector<PrintedPiece> pieces;

@@ -7,6 +7,7 @@
 #include "drawn_shape.h"
 #include "measured_rows.h"
 #include "saved_view.h"
+#include "seen_feature.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>
@@ -172,6 +173,7 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   find_threads(scene, illustration, context);
   place_parts(scene, illustration, context);
   find_breaks(scene, illustration, context);
+  detail::look_at_sights(scene, illustration, context);
   add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;
   const bool tables = over && (over->parts_list || !over->legend.empty() || over->title_block);

@@ -31,7 +31,8 @@ Camera::ExtentFn with_measured(Camera::ExtentFn drawn, const ViewDimensions& mea
 }
 
 SheetView lone_view(const Illustration& illustration) {
-  return {{axes_of(illustration.view), 0, illustration.style.feature.centre_lines},
+  return {{axes_of(illustration.view), 0, illustration.style.feature.centre_lines,
+           illustration.illustrate.hidden == HiddenLines::Dashed},
           name_of(illustration.view)};
 }
 

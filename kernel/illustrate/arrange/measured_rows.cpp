@@ -5,6 +5,9 @@
 #include <burin/base/error.h>
 #include <burin/measure/measure.h>
 
+#include "realised_forms.h"
+#include "through_hole.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,36 +32,17 @@ namespace {
 
 using Kind = DimensionRow::Kind;
 
-/// Of the diagonal of what is drawn: how finely parts are realised, about as for a sheet, so that
-/// faces have the numbers that a drawing gives them.
-constexpr double kFine = 2e-4;
-/// Of the same: how far a point may lie from the feature that it names.
+/// Of the diagonal of what is drawn: how far a point may lie from the feature that it names.
 constexpr double kNear = 1e-2;
-
-/// Forms as they are realised to be measured, each once.
-class RealisedForms {
- public:
-  /// `diagonal`: of what is drawn, model mm.
-  RealisedForms(double diagonal, RunContext& context) : context_(context) {
-    if (diagonal > 0) options_.tolerance = kFine * diagonal;
-    options_.curvature = false;
-  }
-
-  /// Throws as Form::realise.
-  const std::shared_ptr<const Surface>& surface(const std::shared_ptr<const Form>& form) {
-    std::shared_ptr<const Surface>& made = made_[form];
-    if (!made) made = form->realise(options_, context_);
-    return made;
-  }
-
- private:
-  RealiseOptions options_;
-  RunContext& context_;
-  std::map<std::shared_ptr<const Form>, std::shared_ptr<const Surface>> made_;
-};
 
 /// A feature that is not found again.
 class LostPlace : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
+/// A hole that has no depth.
+class NoDepth : public UsageError {
  public:
   using UsageError::UsageError;
 };
@@ -78,7 +62,14 @@ class Measurer {
     try {
       for (const FeatureRow& feature : row.of) add(feature, out);
       measure(out);
+      if (row.kind == Kind::Depth && goes_through(*surface(out.parts[0]), out.of[0], context_)) {
+        throw NoDepth(
+            "the hole goes through its part, so it has no depth: measure its `diameter`, or the "
+            "`distance` of the faces at its ends");
+      }
     } catch (const LostPlace&) {
+      throw;
+    } catch (const NoDepth&) {
       throw;
     } catch (const UsageError& e) {
       throw UsageError(fmt::format("{}{}: {}", row.place, called(out), e.what()));
@@ -234,6 +225,14 @@ class Measurer {
         out.value = out.distance.length;
         break;
       case Kind::Angle:
+        if (out.of.size() == 1) {
+          if (first.kind != F::Cone) {
+            refuse(out, "angle of its own", "name a cone, or two features");
+          }
+          out.angle = {.degrees = first.opening, .vertex = apex_of(first)};
+          out.value = first.opening;
+          break;
+        }
         out.angle = angle_between(first, out.of[1]);
         if (out.row.supplement) {
           out.angle.second = -out.angle.second;
@@ -293,20 +292,27 @@ std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
   return out;
 }
 
-/// Nothing where a feature lost its place, which is told.
+void tell(Scene& scene, const DimensionRow& row, std::size_t number, const char* code,
+          const std::string& what) {
+  MeasuredRow one;
+  one.row = row;
+  one.number = number;
+  scene.diagnostics.add(Severity::Warning, code, 1,
+                        fmt::format("{}{} {}", row.place, called(one), what));
+}
+
+/// Nothing where a feature lost its place or has no depth, which is told.
 std::optional<MeasuredRow> measured_row(Scene& scene, Measurer& measurer, const DimensionRow& row,
                                         std::size_t number) {
   try {
     return measurer.measured(row, number);
   } catch (const LostPlace& e) {
-    MeasuredRow lost;
-    lost.row = row;
-    lost.number = number;
-    scene.diagnostics.add(
-        Severity::Warning, "dimensions.lost", 1,
-        fmt::format("{}{} lost its place and is not drawn: {}", row.place, called(lost), e.what()));
-    return std::nullopt;
+    tell(scene, row, number, "dimensions.lost",
+         fmt::format("lost its place and is not drawn: {}", e.what()));
+  } catch (const NoDepth& e) {
+    tell(scene, row, number, "dimensions.not_drawn", fmt::format("is not drawn: {}", e.what()));
   }
+  return std::nullopt;
 }
 
 }  // namespace

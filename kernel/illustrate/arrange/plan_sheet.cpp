@@ -89,6 +89,7 @@ class SheetPlanner {
     for (const detail::WantedView& wanted : views_) {
       detail::SheetView view = lone_view(illustration_);
       view.as.axes = detail::axes_of(wanted.view);
+      view.as.hidden_lines = view.as.hidden_lines && !wanted.none_hidden;
       view.name = wanted.name;
       view.rank = wanted.section ? 2 : wanted.marked ? 1 : 0;
       if (wanted.section) {

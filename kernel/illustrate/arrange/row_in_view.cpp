@@ -2,10 +2,9 @@
 
 #include <burin/arrange/illustration.h>
 
-#include "seen_feature.h"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace burin::detail {
@@ -23,6 +22,7 @@ enum Rank { Best, Second, Hidden, HiddenSecond, Oblique, HiddenOblique };
 struct Shown {
   const MeasuredRow& row;
   const MeasuringView& view;
+  const FeatureSight& sight;
   Vec3 to_viewer() const { return glm::transpose(view.axes)[2]; }
   bool in_sheet(Vec3 along) const { return std::abs(glm::dot(along, to_viewer())) < kSquare; }
   bool end_on(Vec3 along) const { return glm::length(glm::cross(along, to_viewer())) < kSquare; }
@@ -34,8 +34,8 @@ struct Shown {
   }
   bool seen(std::size_t feature) const {
     const auto& surface = row.there[view.scene][feature];
-    return !surface ||
-           shows_feature(*surface, row.of[feature], row.row.of[feature].kind, to_viewer());
+    return !surface || sight.shows({*surface, row.of[feature], row.row.of[feature].kind, row.moved},
+                                   to_viewer());
   }
   bool all_seen() const {
     for (std::size_t k = 0; k < row.of.size(); ++k) {
@@ -96,9 +96,26 @@ std::vector<Vec3> moved(std::vector<Vec3> points, Vec3 by) {
   return points;
 }
 
+/// Whether an axis leans to the viewer, so that the view shows one of its ends.
+bool leans(const Feature& f, const Shown& shown) {
+  return f.has_axis() && !shown.in_sheet(f.along) && !shown.end_on(f.along);
+}
+
+/// The end of a turned face that is nearer to the viewer, from `Feature::point` along its axis.
+double near_end(const Feature& f, const Shown& shown) {
+  return glm::dot(f.along, shown.to_viewer()) >= 0 ? f.high : f.low;
+}
+
+/// Where a distance ends at a feature: of an axis that leans at the end that is seen.
+Vec3 end_at(const Feature& f, Vec3 at, const Shown& shown) {
+  if (!leans(f, shown)) return at;
+  return at + (near_end(f, shown) - glm::dot(at - f.point, f.along)) * f.along;
+}
+
 /// Points at which extension lines may begin: of an axis its ends, or where its centre mark ends.
 std::vector<Vec3> starts_of(const Feature& f, Vec3 at, Vec3 along, const Shown& shown) {
   if (!f.has_axis()) return f.kind == FeatureKind::Sphere ? std::vector{f.point} : f.points;
+  if (leans(f, shown)) return {end_at(f, at, shown)};
   if (shown.end_on(f.along) && shown.view.centre_lines) {
     const Vec3 side = f.radius * glm::cross(shown.to_viewer(), along);
     return {at - side, at, at + side};
@@ -108,17 +125,27 @@ std::vector<Vec3> starts_of(const Feature& f, Vec3 at, Vec3 along, const Shown& 
 }
 
 /// Along the axes of space both ends are side by side: an axis goes on to where the other feature
-/// has points.
+/// has points. Not into its part, where it is hidden, unless it meets nothing else.
 void reach_beside(const Shown& shown, Dimension& one) {
-  const auto reach = [&](const Feature& axis, std::vector<Vec3>& points,
+  const auto reach = [&](const Feature& axis, std::vector<Vec3>& points, const Feature& other,
                          const std::vector<Vec3>& others) {
-    if (!axis.has_axis()) return;
+    if (!axis.has_axis() || others.empty()) return;
     const Vec3 at = axis.point + shown.row.moved;
-    for (const Vec3& p : others) points.push_back(at + glm::dot(p - at, axis.along) * axis.along);
+    const Vec3 out = glm::dot(axis.along, shown.to_viewer()) >= 0 ? axis.along : -axis.along;
+    const auto height = [&](const Vec3& p) { return glm::dot(p - at, out); };
+    const double end = leans(axis, shown) ? height(at + near_end(axis, shown) * axis.along)
+                                          : -std::numeric_limits<double>::infinity();
+    // As `ends_of` in the layout: what is that near is beside each other.
+    const double near = 1e-6 * shown.row.distance.length;
+    const double most = height(*std::ranges::max_element(others, {}, height));
+    const double least = other.has_axis() ? end : std::min(end, most);
+    for (const Vec3& p : others) {
+      if (height(p) >= least - near) points.push_back(at + height(p) * out);
+    }
   };
   const std::vector<Vec3> from = one.from_points, to = one.to_points;
-  reach(shown.row.of[0], one.from_points, to);
-  reach(shown.row.of[1], one.to_points, from);
+  reach(shown.row.of[0], one.from_points, shown.row.of[1], to);
+  reach(shown.row.of[1], one.to_points, shown.row.of[0], from);
 }
 
 std::optional<RowInView> distance_in(const Shown& shown) {
@@ -129,7 +156,7 @@ std::optional<RowInView> distance_in(const Shown& shown) {
   const Vec3 by = shown.row.moved;
   out.rank = (square ? Best : Oblique) + (shown.all_seen() ? 0 : square ? Hidden : 1);
   Dimension& one = out.dimension;
-  one.from = d.from + by;
+  one.from = end_at(shown.row.of[0], d.from, shown) + by;
   // What lies across the distance is where extension lines begin, not where the line ends.
   one.to = one.from + d.length * d.along;
   one.from_points = moved(starts_of(shown.row.of[0], d.from, d.along, shown), by);
@@ -161,23 +188,19 @@ Dimension round(Vec3 center, Vec3 axis, Vec3 out, double sweep) {
   return one;
 }
 
-/// The end of a turned face that is nearer to the viewer.
-Vec3 near_end(const Feature& f, const Shown& shown) {
-  const bool high = glm::dot(f.along, shown.to_viewer()) >= 0;
-  return f.point + (high ? f.high : f.low) * f.along + shown.row.moved;
+/// The middle of a turned face at the end that is nearer to the viewer.
+Vec3 near_middle(const Feature& f, const Shown& shown) {
+  return f.point + near_end(f, shown) * f.along + shown.row.moved;
 }
 
 /// A leader ends where the rim of a hole, or of what stands out, is seen.
 void end_where_seen(const Shown& shown, Dimension& round) {
   const Feature& f = shown.row.of.front();
-  const auto& surface = shown.row.there[shown.view.scene].front();
-  if (!surface) return;
-  const double off = 1e-3 * surface->proxy().mesh.bounds().diagonal();
-  const Vec3 ahead = off * (glm::dot(f.along, shown.to_viewer()) < 0 ? -f.along : f.along);
+  const Vec3 ahead = glm::dot(f.along, shown.to_viewer()) < 0 ? -f.along : f.along;
   for (const Vec3& p : points_of_round(round)) {
-    const Vec3 out = off * glm::normalize(p - round.from), at = p - shown.row.moved;
-    const Vec3 beside = at + ahead + (f.hollow ? -out : out);
-    if (shows_place(*surface, beside, shown.to_viewer())) round.from_points.push_back(p);
+    const Vec3 out = glm::normalize(p - round.from);
+    const Vec3 way = glm::normalize(ahead + (f.hollow ? -out : out));
+    if (shown.sight.shows_place(p, way, shown.to_viewer())) round.from_points.push_back(p);
   }
 }
 
@@ -219,7 +242,7 @@ std::optional<RowInView> diameter_in(const Shown& shown) {
   const bool seen = shown.seen(0);
   if (shown.end_on(f.along) || shown.pictorial()) {
     const bool oblique = !shown.end_on(f.along);
-    out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point),
+    out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point),
                           f.turn > kWhole ? 360 : f.turn);
     if (oblique) end_where_seen(shown, out.dimension);
     out.rank = oblique ? (seen ? Oblique : HiddenOblique)
@@ -261,16 +284,14 @@ std::optional<RowInView> radius_in(const Shown& shown) {
   const bool square = shown.end_on(f.along);
   if (!square && !shown.pictorial()) return std::nullopt;
   RowInView out;
-  out.dimension = round(near_end(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
+  out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
   if (!square) end_where_seen(shown, out.dimension);
-  const bool seen = shown.seen(0);
-  out.rank = square ? (seen ? Best : Hidden) : (seen ? Oblique : HiddenOblique);
+  out.rank = (square ? Best : Oblique) + (shown.seen(0) ? 0 : square ? Hidden : 1);
   return out;
 }
 
 std::optional<RowInView> depth_in(const Shown& shown, bool& end_on) {
   const Feature& f = shown.row.of.front();
-  const bool seen = shown.seen(0);
   end_on = !shown.in_sheet(f.along);
   if (end_on) {
     std::optional<RowInView> out = diameter_in(shown);
@@ -287,7 +308,7 @@ std::optional<RowInView> depth_in(const Shown& shown, bool& end_on) {
   one.to = high;
   one.from_points = {low - side, low + side};
   one.to_points = {high - side, high + side};
-  out.rank = seen ? Best : Hidden;
+  out.rank = shown.seen(0) ? Best : Hidden;
   return out;
 }
 
@@ -302,7 +323,30 @@ Vec3 far_along(const Feature& f, Vec3 vertex, Vec3 along) {
   return vertex + (most > 0 ? most : 1) * along;
 }
 
+/// Between opposite sides of a cone, which the view sees from its side.
+std::optional<RowInView> cone_angle_in(const Shown& shown) {
+  const Feature& f = shown.row.of.front();
+  if (!shown.in_sheet(f.along)) return std::nullopt;
+  const Vec3 apex = shown.row.angle.vertex;
+  const auto height = [&](const Vec3& p) { return std::abs(glm::dot(p - apex, f.along)); };
+  const auto [low, high] = std::ranges::minmax_element(f.points, {}, height);
+  const Vec3 axis = glm::dot(*high - apex, f.along) < 0 ? -f.along : f.along;
+  const Vec3 out = std::tan(glm::radians(0.5 * f.opening)) * glm::cross(axis, shown.to_viewer());
+  const auto end = [&](const Vec3& p, Vec3 side) {
+    return apex + height(p) * (axis + side) + shown.row.moved;
+  };
+  RowInView found{.dimension = {.kind = Dimension::Kind::Angle,
+                                .from = apex + shown.row.moved,
+                                .to = end(*high, out),
+                                .other = end(*high, -out)},
+                  .rank = shown.seen(0) ? Best : Hidden};
+  found.dimension.from_points = {end(*low, out), end(*high, out)};
+  found.dimension.to_points = {end(*low, -out), end(*high, -out)};
+  return found;
+}
+
 std::optional<RowInView> angle_in(const Shown& shown) {
+  if (shown.row.of.size() == 1) return cone_angle_in(shown);
   const MeasuredAngle& a = shown.row.angle;
   if (!shown.end_on(glm::normalize(glm::cross(a.first, a.second)))) return std::nullopt;
   RowInView out;
@@ -320,12 +364,12 @@ std::optional<RowInView> angle_in(const Shown& shown) {
 }  // namespace
 
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
-                                     const DimensionOptions& style) {
+                                     const FeatureSight& sight, const DimensionOptions& style) {
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     const bool point = row.parts[k] == MeasuredRow::kNoPart;
     if (!point && !row.there[view.scene][k]) return std::nullopt;  // cut away
   }
-  const Shown shown{row, view};
+  const Shown shown{row, view, sight};
   bool end_on = false;
   std::optional<RowInView> out;
   switch (row.row.kind) {
@@ -346,7 +390,9 @@ std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView
       out = depth_in(shown, end_on);
       break;
   }
-  if (out) write(row, style, end_on, out->dimension);
+  if (!out) return out;
+  write(row, style, end_on, out->dimension);
+  out->seen = out->rank == Best || out->rank == Second || out->rank == Oblique;
   return out;
 }
 

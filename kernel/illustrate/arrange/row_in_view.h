@@ -5,6 +5,8 @@
 #include <burin/arrange/dimension_row.h>
 #include <burin/base/vec.h>
 
+#include "seen_feature.h"
+
 #include <cstddef>
 #include <optional>
 
@@ -18,6 +20,8 @@ struct MeasuringView {
   std::size_t scene = 0;
   /// Whether extension lines go on where centre lines end.
   bool centre_lines = false;
+  /// Whether lines that parts hide are drawn.
+  bool hidden_lines = false;
 };
 
 /// A dimension as a view shows it.
@@ -25,11 +29,13 @@ struct RowInView {
   Dimension dimension;
   /// 0 as one would choose, then the rest: hidden, from the other side, at a slant.
   int rank = 0;
+  /// Whether no part hides all of what it measures.
+  bool seen = true;
 };
 
-/// Nothing where the view does not show it as long as it is, nor along the axes of space.
-/// `style`: of the sheet, which the row may change.
+/// `sight`: of the view's scene. Nothing where the view does not show it as long as it is, nor
+/// along the axes of space. `style`: of the sheet, which the row may change.
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
-                                     const DimensionOptions& style);
+                                     const FeatureSight& sight, const DimensionOptions& style);
 
 }  // namespace burin::detail

@@ -1,90 +1,159 @@
 #include "seen_feature.h"
 
+#include <burin/base/error.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/surface/empty_surface.h>
+
+#include "realised_forms.h"
+
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <limits>
 
 namespace burin::detail {
 namespace {
 
-constexpr std::size_t kRays = 24;
+/// Of a face or an edge: every so many places that there are still as many.
+constexpr std::size_t kPlaces = 512;
+/// Cosine: faces that are seen from their edge count.
+constexpr double kEdgeOn = -1e-6;
 
-/// Whether a ray from a place meets a triangle before it gets away.
-bool is_met(const TriMesh& mesh, std::uint32_t triangle, Vec3 from, Vec3 way) {
-  const Triangle& t = mesh.triangles[triangle];
-  const Vec3 a = mesh.positions[t[0]] - from, b = mesh.positions[t[1]] - from,
-             c = mesh.positions[t[2]] - from;
-  // The signs of the volumes with the three sides.
-  const double u = glm::dot(glm::cross(a, b), way), v = glm::dot(glm::cross(b, c), way),
-               w = glm::dot(glm::cross(c, a), way);
-  if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) return false;
-  const Vec3 normal = glm::cross(b - a, c - a);
-  return glm::dot(a, normal) * glm::dot(way, normal) > 0;
-}
-
-/// A place just off the surface, and whether what is there is turned to the viewer.
+/// A place of a surface, and its normal there.
 struct Place {
-  Vec3 at{0};
-  Vec3 normal{0};
+  Vec3 at{0}, normal{0};
 };
 
-Place off_middle(const TriMesh& mesh, std::uint32_t triangle, double off) {
+Place middle_of(const TriMesh& mesh, std::uint32_t triangle) {
   const Triangle& t = mesh.triangles[triangle];
-  const Vec3 normal = mesh.normal(triangle);
-  return {(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0 + off * normal,
-          normal};
+  return {(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0,
+          mesh.normal(triangle)};
 }
 
-/// Off a face at its middles; off an edge on the side to which both of its faces turn.
-std::vector<Place> places_of(const ProxyMesh& proxy, const Feature& feature, FeatureRow::Kind kind,
-                             double off) {
-  const TriMesh& mesh = proxy.mesh;
-  std::vector<Place> out;
-  if (kind == FeatureRow::Kind::Face) {
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-      if (!proxy.is_cut(i) && proxy.face_source(i) == feature.number) {
-        out.push_back(off_middle(mesh, i, off));
-      }
-    }
-    return out;
+/// Share of the way from the border of a triangle to its middle.
+constexpr double kIn = 0.05;
+
+/// In a triangle beside one of its edges: an edge is seen where a face is seen that ends at it.
+Place beside_edge(const TriMesh& mesh, HalfEdge h) {
+  Place place = middle_of(mesh, face_of(h));
+  const Vec3 edge =
+      0.5 * (mesh.positions[origin(mesh, h)] + mesh.positions[origin(mesh, next_in_face(h))]);
+  place.at = glm::mix(edge, place.at, kIn);
+  return place;
+}
+
+/// In the corners of a triangle and beside its edges: of a wall all but a corner may be hidden.
+void add_border_of(const TriMesh& mesh, std::uint32_t triangle, std::vector<Place>& out) {
+  const Place middle = middle_of(mesh, triangle);
+  for (int k = 0; k < 3; ++k) {
+    const HalfEdge h = static_cast<HalfEdge>(3 * triangle) + k;
+    out.push_back(beside_edge(mesh, h));
+    out.push_back({glm::mix(mesh.positions[origin(mesh, h)], middle.at, kIn), middle.normal});
   }
+}
+
+/// Of a face its triangles, and what a section cut open at its borders; of a plane that is seen
+/// from behind what is turned to the viewer beyond its borders.
+std::vector<Place> places_of_face(const ProxyMesh& proxy, const Feature& feature, Vec3 to_viewer) {
+  std::vector<Place> out;
+  const bool from_behind =
+      feature.kind == FeatureKind::Plane && glm::dot(feature.along, to_viewer) < kEdgeOn;
+  const auto is_of_it = [&](std::uint32_t i) {
+    return !proxy.is_cut(i) && proxy.face_source(i) == feature.number;
+  };
+  const auto add_beyond = [&](HalfEdge h) {
+    const HalfEdge opposite = proxy.topology.opposite[static_cast<std::size_t>(h)];
+    if (opposite == kNoHalfEdge || is_of_it(face_of(opposite))) return;
+    const Place place = beside_edge(proxy.mesh, opposite);
+    const bool turned_to = from_behind && glm::dot(place.normal, to_viewer) > -kEdgeOn;
+    if (turned_to || proxy.is_cut(face_of(opposite))) out.push_back(place);
+  };
+  for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
+    if (!is_of_it(i)) continue;
+    out.push_back(middle_of(proxy.mesh, i));
+    if (feature.kind == FeatureKind::Plane) add_border_of(proxy.mesh, i, out);
+    for (int corner = 0; corner < 3; ++corner) {
+      add_beyond(static_cast<HalfEdge>(3 * i) + corner);
+    }
+  }
+  return out;
+}
+
+std::vector<Place> places_of(const SeenFeature& seen, Vec3 to_viewer) {
+  const ProxyMesh& proxy = seen.surface.proxy();
+  if (seen.kind == FeatureRow::Kind::Face) return places_of_face(proxy, seen.feature, to_viewer);
+  std::vector<Place> out;
   for (HalfEdge h = 0; h < static_cast<HalfEdge>(proxy.source_edge.size()); ++h) {
-    if (proxy.source_edge[static_cast<std::size_t>(h)] != feature.number) continue;
-    const HalfEdge other = proxy.topology.opposite[static_cast<std::size_t>(h)];
-    const Vec3 own = mesh.normal(face_of(h)),
-               both = own + (other == kNoHalfEdge ? Vec3(0) : mesh.normal(face_of(other)));
-    const Vec3 middle =
-        0.5 * (mesh.positions[origin(mesh, h)] + mesh.positions[origin(mesh, next_in_face(h))]);
-    out.push_back({middle + off * normalize_or(both, own), own});
+    if (proxy.source_edge[static_cast<std::size_t>(h)] != seen.feature.number) continue;
+    out.push_back(beside_edge(proxy.mesh, h));
+  }
+  return out;
+}
+
+/// The surfaces of what hides; those of parts that do not are empty.
+std::vector<std::shared_ptr<const Surface>> hiding(const Scene& scene,
+                                                   const std::vector<PartStyle>& styles,
+                                                   RunContext& context) {
+  RealisedForms forms(drawn_bounds(scene, styles).diagonal(), context);
+  const std::vector<bool> drawn = drawn_parts(scene, styles);
+  std::vector<std::shared_ptr<const Surface>> out;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const bool glass = i < styles.size() && styles[i].transparent;
+    out.push_back(empty_surface());
+    if (!drawn[i] || glass) continue;
+    try {
+      out.back() = forms.surface(scene.parts[i].form);
+    } catch (const GeometryError&) {
+      continue;  // told by the drawing
+    }
   }
   return out;
 }
 
 }  // namespace
 
-bool shows_place(const Surface& surface, Vec3 place, Vec3 to_viewer) {
-  const TriMesh& mesh = surface.proxy().mesh;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (is_met(mesh, i, place, to_viewer)) return false;
+FeatureSight::FeatureSight(const Scene& scene, const std::vector<PartStyle>& styles,
+                           RunContext& context)
+    : surfaces_(hiding(scene, styles, context)) {
+  std::vector<const ProxyMesh*> proxies;
+  double tolerance = 0;
+  for (const auto& surface : surfaces_) {
+    proxies.push_back(&surface->proxy());
+    tolerance = std::max(tolerance, proxies.back()->tolerance);
   }
-  return true;
+  occluder_ = std::make_unique<const Occluder>(proxies, context);
+  near_ = 4 * occluder_->resolution();
+  // By more than triangles are off the surfaces: bores in line have corners at other places.
+  off_ = std::max(4 * tolerance, 1e-4 * occluder_->diagonal());
 }
 
-bool shows_feature(const Surface& surface, const Feature& feature, FeatureRow::Kind kind,
-                   Vec3 to_viewer) {
-  if (kind == FeatureRow::Kind::Point) return true;
-  const ProxyMesh& proxy = surface.proxy();
-  const TriMesh& mesh = proxy.mesh;
-  // Off the face by more than its triangles are off the surface.
-  const double off = 1e-3 * mesh.bounds().diagonal();
-  constexpr double kTurnedAway = -1e-6;  // cosine: faces that are seen from their edge count
-  const std::vector<Place> places = places_of(proxy, feature, kind, off);
-  const std::size_t step = std::max<std::size_t>(1, places.size() / kRays);
+bool FeatureSight::shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  // Not through what lies on the surface, nor across a narrow gap.
+  const auto before = occluder_->first_hit(on_surface, way, near_, 2 * off_);
+  const double off = before ? 0.5 * before->distance : off_;
+  return !occluder_->occluded(on_surface + off * way, to_viewer, near_, kFar);
+}
+
+bool FeatureSight::shows(const SeenFeature& seen, Vec3 to_viewer) const {
+  if (seen.kind == FeatureRow::Kind::Point) return true;
+  const std::vector<Place> places = places_of(seen, to_viewer);
+  const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
   for (std::size_t k = 0; k < places.size(); k += step) {
-    if (glm::dot(places[k].normal, to_viewer) < kTurnedAway) continue;
-    if (shows_place(surface, places[k].at, to_viewer)) return true;
+    const Place& place = places[k];
+    if (glm::dot(place.normal, to_viewer) < kEdgeOn) continue;
+    if (shows_place(place.at + seen.moved, place.normal, to_viewer)) return true;
   }
   return false;
+}
+
+void look_at_sights(const Scene& scene, Illustration& illustration, RunContext& context) {
+  illustration.sights.clear();
+  if (illustration.measured.empty()) return;
+  const std::vector<PartStyle>& styles = illustration.illustrate.part_styles;
+  const auto add = [&](const Scene& of) {
+    illustration.sights.push_back(std::make_shared<const FeatureSight>(of, styles, context));
+  };
+  add(scene);
+  for (const SectionView& view : illustration.section_views) add(*view.scene);
 }
 
 }  // namespace burin::detail

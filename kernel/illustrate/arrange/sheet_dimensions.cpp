@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/camera/view_grid.h>
+#include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "measured_rows.h"
@@ -50,16 +51,25 @@ void shrink(double& a, double& b, double most) {
   b *= share;
 }
 
-/// What a user may add to see a row.
-std::string advice(const MeasuredRow& row, const DimensionOptions& style) {
+/// Whether a length is seen as long as it is.
+bool is_square(const Mat3& axes, Vec3 gap) {
+  constexpr double kSquare = 1e-6;
+  return glm::length(Vec2(axes * gap)) > (1 - kSquare) * glm::length(gap);
+}
+
+/// What a user may do to see a row.
+std::string advice(const MeasuredRow& row, const FeatureSight& sight,
+                   const DimensionOptions& style) {
+  bool hidden = false;
   for (const char* name : {"front", "top", "left", "right", "back", "bottom"}) {
     const NamedView named = view_in_grid(name);
     const ViewOptions view{.direction = named.direction, .up = named.up};
-    if (const auto shown = row_in_view(row, {axes_of(view)}, style); shown && shown->rank < 4) {
-      return fmt::format(": add {} to `views`", name);
-    }
+    const auto shown = row_in_view(row, {axes_of(view)}, sight, style);
+    if (!shown) continue;
+    if (shown->seen) return fmt::format(": add {} to `views`", name);
+    hidden = true;
   }
-  return "";
+  return hidden ? ": cut it open (`section`) or draw hidden lines (`hidden`)" : "";
 }
 
 }  // namespace
@@ -78,9 +88,11 @@ bool holds(const Margin& a, const Margin& b) {
 SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
                                  std::vector<SheetView> views)
     : style_(illustration.style.dimension),
+      sights_(illustration.sights),
       most_(most_room(illustration)),
       views_(std::move(views)),
-      lists_(views_.size()) {
+      lists_(views_.size()),
+      beside_(views_.size()) {
   const bool overall = illustration.overall_dimensions && illustration.whole;
   if (!overall && illustration.measured.empty()) return;
   if (illustration.view.perspective) {
@@ -90,6 +102,25 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
   deal(scene, illustration);
+  keep_clear_of_annotations(scene, illustration);
+}
+
+void SheetDimensions::keep_clear_of_annotations(const Scene& scene,
+                                                const Illustration& illustration) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (lists_[i].empty()) continue;
+    const MeasuringView& view = views_[i].as;
+    const Scene& shown =
+        view.scene == 0 ? scene : *illustration.section_views[view.scene - 1].scene;
+    const Mat3 sides = glm::transpose(view.axes);
+    beside_[i] = annotation_lines(shown, illustration.illustrate.part_styles,
+                                  illustration.style.pmi, {.direction = sides[2], .up = sides[1]});
+    if (beside_[i].empty()) continue;
+    // The other side may have none of them.
+    for (Dimension& one : lists_[i]) {
+      if (one.overall && is_square(view.axes, one.to - one.from)) one.outwards = Vec3(0);
+    }
+  }
 }
 
 void SheetDimensions::deal(Scene& scene, const Illustration& illustration) {
@@ -113,29 +144,46 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   std::optional<RowInView> best;
   std::size_t where = 0;
   bool cut = true;
+  std::vector<std::string> hidden_in;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!is_wanted(views_[i])) continue;
-    cut &= is_cut_away(row, views_[i].as.scene);
-    std::optional<RowInView> shown = row_in_view(row, views_[i].as, style_);
-    if (!shown || (best && shown->rank >= best->rank)) continue;
+    const MeasuringView& view = views_[i].as;
+    cut &= is_cut_away(row, view.scene);
+    std::optional<RowInView> shown = row_in_view(row, view, *sights_[view.scene], style_);
+    if (!shown) continue;
+    if (!shown->seen && !view.hidden_lines) {
+      hidden_in.push_back(views_[i].name);
+      if (wanted.empty()) continue;
+    }
+    if (best && shown->rank >= best->rank) continue;
     best = std::move(shown);
     where = i;
   }
+  const auto tell = [&](const char* code, const std::string& what) {
+    scene.diagnostics.add(Severity::Warning, code, 1,
+                          fmt::format("{}{} {}", row.row.place, called(row), what));
+  };
   if (best) {
     lists_[where].push_back(std::move(best->dimension));
-    return;
+    if (hidden_in.empty() || wanted.empty()) return;
+    return tell("dimensions.hidden",
+                fmt::format("is drawn in the view {}, where what it measures is hidden", wanted));
   }
   std::string why = "a section takes what it measures away";
-  if (!cut) {
-    why = wanted.empty() ? "no view of the sheet shows it as it is" + advice(row, style_)
-                         : fmt::format("the view {} does not show it as it is", wanted);
+  if (!cut && !wanted.empty()) {
+    why = fmt::format("the view {} does not show it as it is", wanted);
+  } else if (!cut) {
+    why = hidden_in.empty()
+              ? "no view of the sheet shows it as it is"
+              : fmt::format("what it measures is hidden in the {} {}",
+                            hidden_in.size() > 1 ? "views" : "view", fmt::join(hidden_in, ", "));
+    why += advice(row, *sights_.front(), style_);
   }
-  scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
-                        fmt::format("{}{} is not drawn: {}", row.row.place, called(row), why));
+  tell("dimensions.not_drawn", "is not drawn: " + why);
 }
 
 ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) const {
-  return {lists_[i], drawn_, taken};
+  return {lists_[i], drawn_, beside_[i], taken};
 }
 
 Margin SheetDimensions::room(std::size_t i, const ViewDimensions& dimensions, const Box3& extent,

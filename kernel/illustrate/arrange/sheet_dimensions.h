@@ -10,6 +10,7 @@
 #include "row_in_view.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,14 +41,18 @@ class SheetDimensions {
 
  private:
   void deal(Scene& scene, const Illustration& illustration);
+  void keep_clear_of_annotations(const Scene& scene, const Illustration& illustration);
   void deal_row(Scene& scene, const MeasuredRow& row);
 
   const DimensionOptions& style_;
+  const std::vector<std::shared_ptr<const FeatureSight>>& sights_;
   /// Paper mm that dimensions may take beside a view, right and up; infinite of sheets that grow.
   Vec2 most_;
   Box3 drawn_;
   std::vector<SheetView> views_;
   std::vector<std::vector<Dimension>> lists_;
+  /// Of each view the annotations that stand beside its parts.
+  std::vector<std::vector<std::vector<Vec3>>> beside_;
 };
 
 /// Each side as large as the larger one.

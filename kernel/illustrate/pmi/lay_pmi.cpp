@@ -1,6 +1,7 @@
 #include "lay_pmi.h"
 
 #include <burin/drawing/color.h>
+#include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <fmt/format.h>
@@ -148,25 +149,27 @@ class Laying {
     }
   }
 
-  void report(Diagnostics& diagnostics) const {
+  void report(const std::string& view, Diagnostics& diagnostics) const {
+    const std::string in = view.empty() ? "" : fmt::format("view {}: ", view);
     std::string more = "; another view shows them";
     if (!better_.empty()) more += ", such as `saved_view " + better_ + "`";
     if (turned_ > 0) {
       diagnostics.add(
           Severity::Warning, "pmi.turned_away", turned_,
-          fmt::format("annotations seen from behind, from their edge or upside down were "
+          fmt::format("{}annotations seen from behind, from their edge or upside down were "
                       "left out ({}){}",
-                      turned_, more));
+                      in, turned_, more));
     }
     if (covered_ > 0) {
-      diagnostics.add(Severity::Warning, "pmi.covered", covered_,
-                      fmt::format("annotations behind parts were left out ({}){}", covered_, more));
+      diagnostics.add(
+          Severity::Warning, "pmi.covered", covered_,
+          fmt::format("{}annotations behind parts were left out ({}){}", in, covered_, more));
     }
     if (left_out_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.left_out", left_out_,
-                      fmt::format("annotations that begin or end in what a break leaves out are "
+                      fmt::format("{}annotations that begin or end in what a break leaves out are "
                                   "not drawn ({})",
-                                  left_out_));
+                                  in, left_out_));
     }
     if (unseen_ > 0) {
       diagnostics.add(Severity::Warning, "pmi.not_shown", unseen_,
@@ -282,13 +285,16 @@ std::vector<OptionRow<PmiOptions>> pmi_option_rows() {
   };
 }
 
-Box3 detail::pmi_bounds(const Scene& scene, std::span<const PartStyle> part_styles,
-                        const PmiOptions& options, const ViewOptions& view, const Mat3& axes) {
+namespace {
+
+/// The annotations that a view may draw, with where their part stands.
+template <class Do>
+void for_readable(const Scene& scene, std::span<const PartStyle> part_styles,
+                  const PmiOptions& options, const ViewOptions& view, const Do& one) {
   const Vec3 to_viewer = glm::normalize(view.direction);
   const Vec3 right = glm::cross(view.up, to_viewer);
   const double length = glm::length(right);
   const Sightline sight{to_viewer, length > 0 ? right / length : right};
-  Box3 box;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const PlacedPmi& placed = scene.parts[i].pmi;
     if (!placed || (i < part_styles.size() && !part_styles[i].drawn)) continue;
@@ -296,23 +302,70 @@ Box3 detail::pmi_bounds(const Scene& scene, std::span<const PartStyle> part_styl
       if (!is_wanted(item, options) || !is_readable(item, placed.placement, sight, options.angle)) {
         continue;
       }
-      for_points(item, placed.placement, [&](const Vec3& point) { box.add(axes * point); });
+      one(item, placed.placement);
     }
   }
+}
+
+/// In the plane of an annotation, as its texts run.
+std::vector<Vec3> box_about(const PmiLine& letter, const PmiPlane& plane, const Placement& place) {
+  const Vec3 up = glm::cross(plane.normal, plane.along);
+  Box2 box;
+  for (const Vec3& p : letter.points) {
+    const Vec3 from = p - plane.origin;
+    box.add(Vec2(glm::dot(from, plane.along), glm::dot(from, up)));
+  }
+  const auto at = [&](double x, double y) {
+    return place.point(plane.origin + x * plane.along + y * up);
+  };
+  return {at(box.min.x, box.min.y), at(box.max.x, box.min.y), at(box.max.x, box.max.y),
+          at(box.min.x, box.max.y), at(box.min.x, box.min.y)};
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec3>> annotation_lines(const Scene& scene,
+                                                std::span<const PartStyle> part_styles,
+                                                const PmiOptions& options,
+                                                const ViewOptions& view) {
+  std::vector<std::vector<Vec3>> out;
+  for_readable(scene, part_styles, options, view, [&](const PmiItem& item, const Placement& place) {
+    const auto add = [&](const PmiLine& line) {
+      std::vector<Vec3>& points = out.emplace_back();
+      for (const Vec3& p : line.points) points.push_back(place.point(p));
+      if (line.closed) points.push_back(points.front());
+    };
+    std::ranges::for_each(item.lines, add);
+    for (const PmiLine& letter : item.filled) {
+      if (item.plane) {
+        out.push_back(box_about(letter, *item.plane, place));
+      } else {
+        add(letter);
+      }
+    }
+  });
+  return out;
+}
+
+Box3 detail::pmi_bounds(const Scene& scene, std::span<const PartStyle> part_styles,
+                        const PmiOptions& options, const ViewOptions& view, const Mat3& axes) {
+  Box3 box;
+  for_readable(scene, part_styles, options, view, [&](const PmiItem& item, const Placement& place) {
+    for_points(item, place, [&](const Vec3& point) { box.add(axes * point); });
+  });
   return box;
 }
 
-void detail::lay_pmi(const Scene& scene, const PartStyles& part_styles, const Camera& camera,
-                     const PaperBreaks& breaks, const Occluder& solid, const Style& style,
-                     Drawing& drawing) {
+void detail::lay_pmi(const Scene& scene, const PartStyles& part_styles, const AnnotatedView& view,
+                     const Occluder& solid, const Style& style, Drawing& drawing) {
   Layer layer{"pmi", {}};
   layer.color = style.pmi.color;
-  Laying laying(camera, breaks, solid, style, layer, drawing.areas);
+  Laying laying(view.camera, view.breaks, solid, style, layer, drawing.areas);
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const PlacedPmi& placed = scene.parts[i].pmi;
     if (placed && part_styles.drawn(i)) laying.part(static_cast<std::int32_t>(i), placed);
   }
-  laying.report(drawing.diagnostics);
+  laying.report(view.name, drawing.diagnostics);
   if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
 }
 

@@ -73,6 +73,9 @@ struct ViewDimensions {
   std::vector<Dimension> list = {};
   /// The box of what is drawn, model mm, outside of which dimensions stand.
   Box3 about = {};
+  /// Lines that stand about it, such as annotations of its file, model mm: dimensions stand outside
+  /// of them, too.
+  std::vector<std::vector<Vec3>> beside = {};
   /// Paper mm beside it that something else takes, such as the line of a section.
   Margin taken{0};
 };

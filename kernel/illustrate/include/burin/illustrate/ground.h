@@ -30,4 +30,9 @@ Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
                                     std::span<const PartStyle> part_styles,
                                     const ViewOptions& view);
 
+/// The lines of annotations of parts that a view may draw, and boxes about their letters, model mm.
+std::vector<std::vector<Vec3>> annotation_lines(const Scene& scene,
+                                                std::span<const PartStyle> part_styles,
+                                                const PmiOptions& options, const ViewOptions& view);
+
 }  // namespace burin

@@ -81,6 +81,8 @@ struct IllustrateOptions {
   std::vector<Curve3> trails{};
   /// How many times as large as the view whose detail it is; cuts are hatched as there.
   double magnified = 1;
+  /// The name of one of several views, for messages about it; empty: there is one.
+  std::string view_name{};
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;

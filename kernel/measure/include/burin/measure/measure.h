@@ -38,4 +38,7 @@ struct MeasuredAngle {
 /// parallel, do not meet or have no direction.
 MeasuredAngle angle_between(const Feature& a, const Feature& b);
 
+/// Where the sides of a cone meet.
+Vec3 apex_of(const Feature& cone);
+
 }  // namespace burin

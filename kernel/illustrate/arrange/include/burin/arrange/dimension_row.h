@@ -35,7 +35,7 @@ struct FeatureRow {
 struct DimensionRow {
   enum class Kind : std::uint8_t { Distance, Diameter, Radius, Angle, Depth, Thread };
   Kind kind = Kind::Distance;
-  /// Two of distances and angles, else one.
+  /// Two of distances and angles, of the angle of a cone one; else one.
   std::vector<FeatureRow> of = {};
   /// Distance: measured in this direction; any length but 0.
   std::optional<Vec3> along = {};

@@ -24,6 +24,10 @@
 
 namespace burin {
 
+namespace detail {
+class FeatureSight;
+}  // namespace detail
+
 /// How the parts that selectors name are drawn, where that differs from the others.
 struct Look {
   /// A part that one of them names is meant.
@@ -148,6 +152,8 @@ struct Illustration {
   /// Dimensions of features of parts; `measured`: what arranging makes of them.
   std::vector<DimensionRow> dimensions = {};
   std::vector<MeasuredRow> measured = {};
+  /// What hides what is measured, in the scenes of `MeasuredRow::there`: what arranging makes.
+  std::vector<std::shared_ptr<const detail::FeatureSight>> sights = {};
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
