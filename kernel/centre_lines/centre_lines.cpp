@@ -1,5 +1,6 @@
 #include <burin/centre_lines/centre_lines.h>
 
+#include "along_ray.h"
 #include "axis_sight.h"
 #include "pitch_circles.h"
 #include "turned_groups.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -30,6 +32,8 @@ constexpr double kSteep = 0.3;
 /// Paper mm along a line between two rays, and the most places of one line.
 constexpr double kStep = 0.25;
 constexpr int kMostPlaces = 4000;
+/// Of a radius: facets that lie within a circle, and what of it has been cut away.
+constexpr double kCutAway = 0.02;
 /// Paper mm of a line that are drawn at least.
 constexpr double kLeast = 1.5;
 
@@ -215,8 +219,32 @@ class Maker {
   }
 
   void draw_line(const TurnedGroup& group, const detail::Round& round, Vec2 along, Vec3 end) {
-    const Vec2 half = (round.radius + over(group)) * along;
-    add({in_space(round.center - half, end), in_space(round.center + half, end)}, source_of(group));
+    const auto tip = [&](Vec2 way) {
+      return in_space(round.center + (reach(group, round, way) + over(group)) * way, end);
+    };
+    add({tip(-along), tip(along)}, source_of(group));
+  }
+
+  /// Paper mm from the middle of a mark to the circle of the largest face, or to the outline of its
+  /// part where the circle has been cut away there, as by the flats of a nut.
+  double reach(const TurnedGroup& group, const detail::Round& round, Vec2 way) const {
+    const GroupFace& face = group.largest();
+    const ProxyMesh& proxy = surfaces_[static_cast<std::size_t>(face.part)]->proxy();
+    const detail::PaperRay ray{round.center, way, (1 + kCutAway) * round.radius};
+    detail::AlongRay own, all;
+    for (const std::uint32_t t : face.turned.triangles) own.add(ray, corners(proxy, t));
+    if (own.farthest >= (1 - kCutAway) * round.radius) return round.radius;
+    for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) all.add(ray, corners(proxy, t));
+    if (all.covers_end || all.farthest <= 0) return round.radius;
+    return std::min(all.farthest, round.radius);
+  }
+
+  std::array<Vec2, 3> corners(const ProxyMesh& proxy, std::uint32_t t) const {
+    std::array<Vec2, 3> out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      out[k] = camera_.to_paper(proxy.mesh.positions[proxy.mesh.triangles[t][k]]);
+    }
+    return out;
   }
 
   void draw_circle(const detail::PitchCircle& circle, Vec3 end, const SourceId& source) {

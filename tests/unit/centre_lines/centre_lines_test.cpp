@@ -3,8 +3,10 @@
 #include <burin/centre_lines/centre_lines.h>
 #include <burin/surface/turned_faces.h>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -151,6 +153,19 @@ TEST(CentreLines, AHoleSeenAlongItsAxisHasTwoLinesThatCross) {
     const double length =
         glm::distance(d.camera.to_paper(line.points[0]), d.camera.to_paper(line.points[1]));
     EXPECT_NEAR(length, 2 * (2 * d.camera.scale() + 2.5), 0.01);
+  }
+}
+
+// Two flats take the round off on two sides, as those of a nut do.
+TEST(CentreLines, MarksGoOverTheOutlineWhereItsCircleIsCutAway) {
+  const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(10, 4).Shape();
+  const TopoDS_Shape flats = BRepPrimAPI_MakeBox(gp_Pnt(-20, -7, -1), gp_Pnt(20, 7, 5)).Shape();
+  const Drawn d = drawn({BRepAlgoAPI_Common(pin, flats).Shape()}, kZ, kY);
+  ASSERT_EQ(d.lines.size(), 2U);
+  for (const Curve3& line : d.lines) {
+    const Vec2 way = d.camera.to_paper(line.points[1]) - d.camera.to_paper(line.points[0]);
+    const double reach = std::abs(way.x) > std::abs(way.y) ? 10 : 7;
+    EXPECT_NEAR(glm::length(way), 2 * (reach * d.camera.scale() + 2.5), 0.01);
   }
 }
 
