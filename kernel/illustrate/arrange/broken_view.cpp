@@ -18,6 +18,8 @@ namespace {
 
 /// Cosine, and sine, from which on a view sees an axis from its side, and from its end.
 constexpr double kFromSide = 1 - 1e-12, kFromEnd = 1e-6;
+/// Of a stretch: what is less than it is rounding.
+constexpr double kNothing = 1e-6;
 
 /// Where what is drawn begins and ends along a direction across the axis, both unit.
 std::pair<double, double> range_across(const Scene& scene, const Illustration& illustration,
@@ -60,7 +62,7 @@ BrokenAs::BrokenAs(const Scene& scene, const Illustration& illustration, const V
   }
   for (const auto& [low, high] : illustration.left_out.stretches) {
     const PaperBreaks::Band band{foreshortened_ * low + farthest, foreshortened_ * high + nearest};
-    if (band.low < band.high) bands_.push_back(band);
+    if (band.high - band.low > kNothing * (high - low)) bands_.push_back(band);
   }
 }
 

@@ -321,12 +321,13 @@ class SheetPlanner {
     const PlacedView& first = sheet_.views.front();
     const Camera main = first.camera;
     const Vec2 from = main.to_paper(detail.at);
-    if (first.breaks.leaves_out(from)) {
+    const double scale = main.scale_at(detail.at);
+    if (first.breaks.leaves_out(from, detail.radius * scale)) {
       throw UsageError(
-          fmt::format("{}detail {} shows a place that the break leaves out: break another stretch",
+          fmt::format("{}detail {} reaches into what the break leaves out: give it a smaller "
+                      "radius, or break another stretch",
                       detail.place, detail.letter));
     }
-    const double scale = main.scale_at(detail.at);
     const Camera camera = main.magnified(detail.scale / scale, from, detail.center);
     const Disc shown{detail.center, detail.radius * detail.scale};
     if (detail.scale <= scale) {
