@@ -84,12 +84,13 @@ class SheetPlanner {
 
  private:
   std::vector<detail::SheetView> measuring_views() const {
-    if (views_.empty()) return {lone_view(illustration_)};
+    if (views_.empty()) return {lone_view(scene_, illustration_)};
     std::vector<detail::SheetView> seen;
     for (const detail::WantedView& wanted : views_) {
-      detail::SheetView view = lone_view(illustration_);
+      detail::SheetView view = lone_view(scene_, illustration_);
       view.as.axes = detail::axes_of(wanted.view);
       view.name = wanted.name;
+      view.broken = broken_as(wanted.view);
       view.rank = wanted.section ? 2 : wanted.marked ? 1 : 0;
       if (wanted.section) {
         const SectionView* first = illustration_.section_views.data();
@@ -207,7 +208,7 @@ class SheetPlanner {
       if (detail::holds(room, needed)) break;
       room = detail::larger(room, needed);
     }
-    break_view(scene_, broken, illustration_.view, view);
+    break_view(broken, illustration_.view, view);
     sheet_.views.push_back(std::move(view));
   }
 
@@ -282,7 +283,7 @@ class SheetPlanner {
         placed.scene = section->scene;
         sheet_.section_names.push_back({drawn, section->letter});
       }
-      break_view(scene_, broken[i], view, placed);
+      break_view(broken[i], view, placed);
       sheet_.views.push_back(std::move(placed));
     }
   }

@@ -89,6 +89,10 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
     return;
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
+  if (overall) {
+    const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
+    for (SheetView& view : views_) view.reaches = view.broken.reaches(scene, drawn);
+  }
   deal(scene, illustration);
 }
 
@@ -112,12 +116,16 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   }
   std::optional<RowInView> best;
   std::size_t where = 0;
-  bool cut = true;
+  bool cut = true, left_out = false;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!is_wanted(views_[i])) continue;
     cut &= is_cut_away(row, views_[i].as.scene);
     std::optional<RowInView> shown = row_in_view(row, views_[i].as, style_);
     if (!shown || (best && shown->rank >= best->rank)) continue;
+    if (!views_[i].broken.put_where_seen(shown->dimension)) {
+      left_out = true;
+      continue;
+    }
     best = std::move(shown);
     where = i;
   }
@@ -126,7 +134,9 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
     return;
   }
   std::string why = "a section takes what it measures away";
-  if (!cut) {
+  if (left_out) {
+    why = "the break leaves out what it measures";
+  } else if (!cut) {
     why = wanted.empty() ? "no view of the sheet shows it as it is" + advice(row, style_)
                          : fmt::format("the view {} does not show it as it is", wanted);
   }
