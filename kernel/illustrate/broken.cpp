@@ -6,9 +6,15 @@
 
 #include "tell.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <set>
+#include <string>
 
 namespace burin::detail {
 
@@ -54,12 +60,38 @@ void add_crossing(const std::array<Vec2, 3>& corners, double side, Stretches& to
   if (met) to.emplace_back(from, until);
 }
 
+constexpr double kBeside = 1e-4;  // paper mm: of what is left, not of what begins there
+
+/// Whether a triangle stands on a line across `along`, seen from its edge.
+bool stands_on(const std::array<Vec2, 3>& corners, double line) {
+  constexpr double kLeast = 1e-2;  // paper mm: others may be that small
+  const auto [low, high] = std::ranges::minmax(corners, {}, &Vec2::y);
+  return high.y - low.y > kLeast && std::ranges::all_of(corners, [&](Vec2 corner) {
+           return std::abs(corner.x - line) < kBeside;
+         });
+}
+
+/// Tells of breaks that end on faces. `lines`: paper mm along the way of the breaks.
+void report_on_faces(const std::set<double>& lines, const Camera& camera, const PaperBreaks& breaks,
+                     Diagnostics& diagnostics) {
+  if (lines.empty()) return;
+  const double origin = glm::dot(breaks.along, camera.to_paper(Vec3(0)));
+  std::vector<std::string> at;
+  for (const double line : lines) {
+    at.push_back(fmt::format("{:.6g}", (line - origin) / camera.scale() + 0.0));
+  }
+  diagnostics.add(Severity::Warning, "break.on_face", static_cast<std::int64_t>(at.size()),
+                  fmt::format("the break ends on a face, at {} mm along the axis, where its line "
+                              "and the edges are one: end it beside the face",
+                              fmt::join(at, " and ")));
+}
+
 }  // namespace
 
 std::vector<Stretches> cut_stretches(std::span<const ProxyMesh* const> proxies,
                                      const PartStyles& part_styles, const Camera& camera,
-                                     const PaperBreaks& breaks) {
-  constexpr double kBeside = 1e-4;  // paper mm: of what is left, not of what begins there
+                                     const PaperBreaks& breaks, Diagnostics& diagnostics) {
+  std::set<double> on_faces;
   std::vector<double> sides;
   for (const PaperBreaks::Band& band : breaks.bands) {
     sides.push_back(band.low - kBeside);
@@ -78,9 +110,15 @@ std::vector<Stretches> cut_stretches(std::span<const ProxyMesh* const> proxies,
     for (const Triangle& triangle : mesh.triangles) {
       const std::array corners{places[triangle[0]], places[triangle[1]], places[triangle[2]]};
       for (std::size_t i = 0; i < sides.size(); ++i) add_crossing(corners, sides[i], cut[i]);
+      for (const PaperBreaks::Band& band : breaks.bands) {
+        for (const double line : {band.low, band.high}) {
+          if (stands_on(corners, line)) on_faces.insert(line);
+        }
+      }
     }
     for (Stretches& one : cut) one = joined(std::move(one));
   }
+  report_on_faces(on_faces, camera, breaks, diagnostics);
   return cut;
 }
 

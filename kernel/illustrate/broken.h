@@ -23,11 +23,11 @@ Camera whole_camera(const Scene& scene, const PlacedView& view, const Style& sty
 /// The camera of the sheet, where what lies before the first band belongs but for the shift of it.
 Camera camera_on_sheet(const Camera& whole, const BrokenView& broken);
 
-/// What of the drawn parts is on each side of each band, low and high in turn. Cost: a look at each
-/// triangle for each side.
+/// What of the drawn parts is on each side of each band, low and high in turn. Tells of sides on
+/// which faces lie. Cost: a look at each triangle for each side.
 std::vector<Stretches> cut_stretches(std::span<const ProxyMesh* const> proxies,
                                      const PartStyles& part_styles, const Camera& camera,
-                                     const PaperBreaks& breaks);
+                                     const PaperBreaks& breaks, Diagnostics& diagnostics);
 
 /// Makes the drawing of a whole view, and what is seen where in it, that of the broken one, with
 /// its break lines.

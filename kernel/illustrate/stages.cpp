@@ -323,7 +323,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
                      style, part_styles, options, context);
   const PaperBreaks& breaks = options.broken.breaks;
-  labels.cut = cut_stretches(proxies, part_styles, camera, breaks);
+  labels.cut = cut_stretches(proxies, part_styles, camera, breaks, drawing.diagnostics);
   lay_pmi(scene, part_styles, {camera, breaks, options.view_name}, trees->solid(), style, drawing);
   context.end_stage();
   return drawing;

@@ -22,11 +22,11 @@ Vec2 PaperBreaks::moved(Vec2 place) const {
   return to;
 }
 
-bool PaperBreaks::leaves_out(Vec2 place) const {
+bool PaperBreaks::leaves_out(Vec2 place, double around) const {
   constexpr double kRounding = 1e-6;  // paper mm
   const double at = glm::dot(along, place);
   return std::ranges::any_of(bands, [&](const Band& band) {
-    return at > band.low + kRounding && at < band.high - kRounding;
+    return at + around > band.low + kRounding && at - around < band.high - kRounding;
   });
 }
 

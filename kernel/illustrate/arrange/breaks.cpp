@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,8 +123,9 @@ class BreakFinder {
   void add_found(const Break& one, std::vector<BreakRange>& to) {
     bool any = false;
     const std::vector<bool> drawn = drawn_parts(scene_, illustration_.illustrate.part_styles);
-    for (const detail::UniformStretch& found :
-         detail::uniform_stretches(scene_, drawn, axis_, context_)) {
+    const std::vector<detail::UniformStretch> uniform =
+        detail::uniform_stretches(scene_, drawn, axis_, context_);
+    for (const detail::UniformStretch& found : uniform) {
       const double length = found.high - found.low, kept = kKeptOfWidth * found.width;
       const BreakRange stretch{found.low + kept, found.high - kept};
       if (length < kLongStretch * found.width) continue;
@@ -136,12 +138,30 @@ class BreakFinder {
       any = true;
     }
     if (any) return;
-    const auto at = [&](double share) { return std::lerp(whole_.first, whole_.second, share); };
+    const BreakRange instead = beside_faces(uniform);
     scene_.diagnostics.add(
         Severity::Warning, "break.not_found", 1,
         fmt::format("{}nothing is broken: no long stretch along {} keeps its cross-section; name "
-                    "one, as {}:{:.3g}..{:.3g}",
-                    one.place, axis_text(axis_), axis_text(axis_), at(0.25), at(0.75)));
+                    "one, as {}:{:.4g}..{:.4g}",
+                    one.place, axis_text(axis_), axis_text(axis_), instead.first, instead.second));
+  }
+
+  /// The middle half of all, but that it ends where the cross-section stays the same.
+  BreakRange beside_faces(const std::vector<detail::UniformStretch>& uniform) const {
+    const auto beside = [&](double share) {
+      const double at = std::lerp(whole_.first, whole_.second, share);
+      double best = at, least = std::numeric_limits<double>::infinity();
+      for (const detail::UniformStretch& one : uniform) {
+        const double kept = 0.25 * (one.high - one.low);
+        const double there = std::clamp(at, one.low + kept, one.high - kept);
+        if (std::abs(there - at) < least) best = there, least = std::abs(there - at);
+      }
+      return best;
+    };
+    const BreakRange found{beside(0.25), beside(0.75)};
+    if (found.first < found.second) return found;
+    return {std::lerp(whole_.first, whole_.second, 0.25),
+            std::lerp(whole_.first, whole_.second, 0.75)};
   }
 
   Scene& scene_;

@@ -1,5 +1,6 @@
 #include "broken_view.h"
 
+#include <burin/assembly/select.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "wanted_views.h"
@@ -18,6 +19,8 @@ namespace {
 
 /// Cosine, and sine, from which on a view sees an axis from its side, and from its end.
 constexpr double kFromSide = 1 - 1e-12, kFromEnd = 1e-6;
+/// Of a stretch: what is less than it is rounding.
+constexpr double kNothing = 1e-6;
 
 /// Where what is drawn begins and ends along a direction across the axis, both unit.
 std::pair<double, double> range_across(const Scene& scene, const Illustration& illustration,
@@ -60,7 +63,7 @@ BrokenAs::BrokenAs(const Scene& scene, const Illustration& illustration, const V
   }
   for (const auto& [low, high] : illustration.left_out.stretches) {
     const PaperBreaks::Band band{foreshortened_ * low + farthest, foreshortened_ * high + nearest};
-    if (band.low < band.high) bands_.push_back(band);
+    if (band.high - band.low > kNothing * (high - low)) bands_.push_back(band);
   }
 }
 
@@ -125,18 +128,6 @@ class BrokenAs::Mover {
   Mover(const BrokenAs& as, const PaperBreaks& breaks, double scale, double origin)
       : as_(as), breaks_(breaks), scale_(scale), origin_(origin) {}
 
-  bool leaves_out(const Dimension& one) const {
-    switch (one.kind) {
-      case Dimension::Kind::Length:
-        return leaves_out(one.from) || leaves_out(one.to);
-      case Dimension::Kind::Round:
-        return leaves_out(one.from);
-      case Dimension::Kind::Angle:
-        break;
-    }
-    return leaves_out(one.to) || leaves_out(one.other);
-  }
-
   void move(Dimension& one) const {
     const bool length = one.kind == Dimension::Kind::Length;
     // Circles and angles keep their shape.
@@ -165,7 +156,6 @@ class BrokenAs::Mover {
   Vec2 on_way(const Vec3& p) const {
     return (origin_ + scale_ * glm::dot(as_.way_, p)) * as_.along_;
   }
-  bool leaves_out(const Vec3& p) const { return breaks_.leaves_out(on_way(p)); }
   Vec3 shift(const Vec3& p) const {
     const Vec2 at = on_way(p);
     const double on_paper = glm::dot(as_.along_, breaks_.moved(at) - at);
@@ -180,40 +170,68 @@ class BrokenAs::Mover {
 ViewDimensions BrokenAs::moved(const ViewDimensions& dimensions, double scale) const {
   if (empty() || dimensions.list.empty()) return dimensions;
   const PaperBreaks breaks = on_paper(scale, 0);
-  const Mover mover(*this, breaks, scale, 0);
-  ViewDimensions out = dimensions;
-  std::erase_if(out.list, [&](const Dimension& one) { return mover.leaves_out(one); });
-  for (Dimension& one : out.list) mover.move(one);
-  if (!out.about.empty()) out.about = mover.moved(out.about);
-  return out;
+  return moved(dimensions, Mover(*this, breaks, scale, 0));
 }
 
 ViewDimensions BrokenAs::moved(const ViewDimensions& dimensions, const Camera& camera,
-                               const PaperBreaks& breaks,
-                               std::vector<std::string>& left_out) const {
-  const Mover mover(*this, breaks, camera.scale(), glm::dot(along_, camera.to_paper(Vec3(0))));
-  ViewDimensions out = dimensions;
-  std::erase_if(out.list, [&](const Dimension& one) {
-    if (!mover.leaves_out(one)) return false;
-    left_out.push_back(one.text);
-    return true;
-  });
-  for (Dimension& one : out.list) mover.move(one);
-  if (!out.about.empty()) out.about = mover.moved(out.about);
-  return out;
+                               const PaperBreaks& breaks) const {
+  return moved(dimensions,
+               Mover(*this, breaks, camera.scale(), glm::dot(along_, camera.to_paper(Vec3(0)))));
 }
 
-void break_view(Scene& scene, const BrokenAs& broken, const ViewOptions& view, PlacedView& placed) {
+ViewDimensions BrokenAs::moved(ViewDimensions dimensions, const Mover& mover) {
+  for (Dimension& one : dimensions.list) mover.move(one);
+  if (!dimensions.about.empty()) dimensions.about = mover.moved(dimensions.about);
+  return dimensions;
+}
+
+void break_view(const BrokenAs& broken, const ViewOptions& view, PlacedView& placed) {
   if (broken.empty()) return;
   placed.breaks = broken.on_paper(placed.camera, view);
-  std::vector<std::string> left_out;
-  placed.dimensions = broken.moved(placed.dimensions, placed.camera, placed.breaks, left_out);
-  if (left_out.empty()) return;
-  scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn",
-                        static_cast<std::int64_t>(left_out.size()),
-                        fmt::format("dimensions of what the break leaves out are not drawn: {}",
-                                    fmt::join(left_out, ", ")));
+  placed.dimensions = broken.moved(placed.dimensions, placed.camera, placed.breaks);
 }
+
+namespace {
+
+/// Whether a view shows something of a part.
+bool is_left(const Part& part, const PlacedView& view) {
+  const Camera& camera = view.camera;
+  const PaperBreaks& breaks = view.breaks;
+  const Vec3 way = breaks.along.x * camera.right() + breaks.along.y * camera.up();
+  const Box3 box = part.form->bounds(glm::transpose(Mat3(way, way, way)));
+  const double origin = glm::dot(breaks.along, camera.to_paper(Vec3(0)));
+  const double low = origin + camera.scale() * box.min.x,
+               high = origin + camera.scale() * box.max.x;
+  return std::ranges::none_of(breaks.bands, [&](const PaperBreaks::Band& band) {
+    return low > band.low && high < band.high;
+  });
+}
+
+/// Tells of parts of which no view shows anything.
+void report_left_out(Scene& scene, const Illustration& illustration, const SheetOfViews& sheet) {
+  constexpr std::size_t kNamed = 5;
+  const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
+  std::vector<std::string> names;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const Part& part = scene.parts[i];
+    if (!drawn[i] || part.form->bounds(Mat3(1)).empty()) continue;
+    if (std::ranges::any_of(sheet.views, [&](const PlacedView& view) {
+          return !view.within && is_left(part, view);
+        })) {
+      continue;
+    }
+    if (++count <= kNamed) names.push_back(path_of(part));
+  }
+  if (count == 0) return;
+  std::string text = fmt::format("{}the break leaves out all of '{}'",
+                                 illustration.breaks.front().place, fmt::join(names, "', '"));
+  if (count > kNamed) text += fmt::format(" and {} more", count - kNamed);
+  scene.diagnostics.add(Severity::Warning, "break.parts", static_cast<std::int64_t>(count),
+                        text + ": break another stretch, or add a view along the axis");
+}
+
+}  // namespace
 
 void report_unbroken(Scene& scene, const Illustration& illustration, const SheetOfViews& sheet) {
   if (illustration.left_out.empty()) return;
@@ -225,6 +243,7 @@ void report_unbroken(Scene& scene, const Illustration& illustration, const Sheet
     tell("break.not_shown", place + "a perspective view is not broken: leave `perspective` out");
     return;
   }
+  report_left_out(scene, illustration, sheet);
   bool any = false;
   double least = std::numeric_limits<double>::infinity();
   for (const PlacedView& view : sheet.views) {

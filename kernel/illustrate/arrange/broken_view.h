@@ -10,7 +10,8 @@
 #include <burin/illustrate/sheet.h>
 #include <burin/surface/scene.h>
 
-#include <string>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace burin::detail {
@@ -32,15 +33,27 @@ class BrokenAs {
   PaperBreaks on_paper(double scale, double origin) const;
   /// The same in a view with that camera, whose `center`, if any, stays where it is.
   PaperBreaks on_paper(const Camera& camera, const ViewOptions& view) const;
+  /// Moves a dimension to where the view shows something of what it measures; false where it shows
+  /// nothing of it.
+  bool put_where_seen(Dimension& dimension) const;
+  /// Whether what is left of parts reaches both ends of them along x, y and z. `drawn`: one a part.
+  /// Cost: realising them, and a look at each triangle.
+  std::array<bool, 3> reaches(const Scene& scene, const std::vector<bool>& drawn) const;
   /// Dimensions of what is left at a scale, about the middle of the shortened view.
   ViewDimensions moved(const ViewDimensions& dimensions, double scale) const;
-  /// The same where `breaks` take what the camera shows. `left_out`: how many measure what is not
-  /// there.
+  /// The same where `breaks` take what the camera shows.
   ViewDimensions moved(const ViewDimensions& dimensions, const Camera& camera,
-                       const PaperBreaks& breaks, std::vector<std::string>& left_out) const;
+                       const PaperBreaks& breaks) const;
 
  private:
   class Mover;
+
+  static ViewDimensions moved(ViewDimensions dimensions, const Mover& mover);
+  /// Model mm along the way.
+  bool leaves_out(double at) const;
+  bool leaves_out(const Vec3& p) const { return leaves_out(glm::dot(way_, p)); }
+  std::pair<double, double> longest_left(double low, double high) const;
+  std::vector<Vec3> seen_of(const std::vector<Vec3>& points) const;
 
   /// Of the model, unit; how long it is on paper; its way there and that in the model.
   Vec3 axis_{1, 0, 0};
@@ -53,10 +66,11 @@ class BrokenAs {
   double gap_ = 0, reach_ = 0;
 };
 
-/// Tells of breaks that no view of the sheet shows, and of those that are no shorter than a gap.
+/// Tells of breaks that no view of the sheet shows, of those that are no shorter than a gap, and of
+/// parts that no view shows.
 void report_unbroken(Scene& scene, const Illustration& illustration, const SheetOfViews& sheet);
 
-/// Breaks a view that has its camera, with its dimensions; tells of those of what is left out.
-void break_view(Scene& scene, const BrokenAs& broken, const ViewOptions& view, PlacedView& placed);
+/// Breaks a view that has its camera, with its dimensions.
+void break_view(const BrokenAs& broken, const ViewOptions& view, PlacedView& placed);
 
 }  // namespace burin::detail

@@ -30,10 +30,12 @@ Camera::ExtentFn with_measured(Camera::ExtentFn drawn, const ViewDimensions& mea
   };
 }
 
-SheetView lone_view(const Illustration& illustration) {
+SheetView lone_view(const Scene& scene, const Illustration& illustration) {
   return {{axes_of(illustration.view), 0, illustration.style.feature.centre_lines,
            illustration.illustrate.hidden == HiddenLines::Dashed},
-          name_of(illustration.view)};
+          name_of(illustration.view),
+          0,
+          BrokenAs(scene, illustration, illustration.view)};
 }
 
 namespace {
@@ -103,7 +105,7 @@ SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration) {
   SheetOfViews sheet;
   const BrokenAs broken(scene, illustration, illustration.view);
   Margin room = broken.room();
-  const SheetDimensions measured(scene, illustration, {lone_view(illustration)});
+  const SheetDimensions measured(scene, illustration, {lone_view(scene, illustration)});
   ViewDimensions dimensions = measured.of_view(0, Margin(0));
   const Camera::ExtentFn extent = broken.shortened(
       with_measured(extent_of(scene, illustration, illustration.view), dimensions));
@@ -118,7 +120,7 @@ SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration) {
   }
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
   sheet.views.front().dimensions = std::move(dimensions);
-  break_view(scene, broken, illustration.view, sheet.views.front());
+  break_view(broken, illustration.view, sheet.views.front());
   return sheet;
 }
 

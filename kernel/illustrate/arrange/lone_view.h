@@ -27,7 +27,7 @@ Camera::ExtentFn with_measured(Camera::ExtentFn drawn, const ViewDimensions& mea
 Margin sum(const Margin& a, const Margin& b);
 
 /// The view that is asked for, as dimensions see it.
-SheetView lone_view(const Illustration& illustration);
+SheetView lone_view(const Scene& scene, const Illustration& illustration);
 /// A sheet with that view alone.
 SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration);
 

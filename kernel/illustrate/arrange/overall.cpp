@@ -38,12 +38,13 @@ bool is_seen(const SheetView& view, int axis) {
   return glm::length(on_paper(view.as.axes, unit(axis))) > kLeast;
 }
 
-/// The number of the view; that of none.
-std::size_t view_of(std::span<const SheetView> views, int axis) {
+/// The number of the view; that of none. `whole`: whether what a break leaves out counts as shown.
+std::size_t view_of(std::span<const SheetView> views, int axis, bool whole = false) {
   for (const auto shows : {is_square, is_seen}) {
     for (int rank = 0; rank <= 2; ++rank) {
       for (std::size_t i = 0; i < views.size(); ++i) {
-        if (views[i].rank == rank && shows(views[i], axis)) return i;
+        const bool reaches = whole || views[i].reaches[static_cast<std::size_t>(axis)];
+        if (views[i].rank == rank && reaches && shows(views[i], axis)) return i;
       }
     }
   }
@@ -143,7 +144,9 @@ std::vector<OverallShares> share_overall(Scene& scene, const Illustration& illus
     if (const std::size_t view = view_of(views, axis); view < views.size()) {
       shares[view][static_cast<std::size_t>(axis)] = true;
     } else {
-      not_drawn(axis, "no view of the sheet shows it");
+      const bool left_out = view_of(views, axis, true) < views.size();
+      not_drawn(axis, left_out ? "the break leaves out what is that wide"
+                               : "no view of the sheet shows it");
     }
   }
   return shares;

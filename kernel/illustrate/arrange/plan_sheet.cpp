@@ -84,13 +84,14 @@ class SheetPlanner {
 
  private:
   std::vector<detail::SheetView> measuring_views() const {
-    if (views_.empty()) return {lone_view(illustration_)};
+    if (views_.empty()) return {lone_view(scene_, illustration_)};
     std::vector<detail::SheetView> seen;
     for (const detail::WantedView& wanted : views_) {
-      detail::SheetView view = lone_view(illustration_);
+      detail::SheetView view = lone_view(scene_, illustration_);
       view.as.axes = detail::axes_of(wanted.view);
       view.as.hidden_lines = view.as.hidden_lines && !wanted.none_hidden;
       view.name = wanted.name;
+      view.broken = broken_as(wanted.view);
       view.rank = wanted.section ? 2 : wanted.marked ? 1 : 0;
       if (wanted.section) {
         const SectionView* first = illustration_.section_views.data();
@@ -208,7 +209,7 @@ class SheetPlanner {
       if (detail::holds(room, needed)) break;
       room = detail::larger(room, needed);
     }
-    break_view(scene_, broken, illustration_.view, view);
+    break_view(broken, illustration_.view, view);
     sheet_.views.push_back(std::move(view));
   }
 
@@ -283,7 +284,7 @@ class SheetPlanner {
         placed.scene = section->scene;
         sheet_.section_names.push_back({drawn, section->letter});
       }
-      break_view(scene_, broken[i], view, placed);
+      break_view(broken[i], view, placed);
       sheet_.views.push_back(std::move(placed));
     }
   }
@@ -322,12 +323,13 @@ class SheetPlanner {
     const PlacedView& first = sheet_.views.front();
     const Camera main = first.camera;
     const Vec2 from = main.to_paper(detail.at);
-    if (first.breaks.leaves_out(from)) {
+    const double scale = main.scale_at(detail.at);
+    if (first.breaks.leaves_out(from, detail.radius * scale)) {
       throw UsageError(
-          fmt::format("{}detail {} shows a place that the break leaves out: break another stretch",
+          fmt::format("{}detail {} reaches into what the break leaves out: give it a smaller "
+                      "radius, or break another stretch",
                       detail.place, detail.letter));
     }
-    const double scale = main.scale_at(detail.at);
     const Camera camera = main.magnified(detail.scale / scale, from, detail.center);
     const Disc shown{detail.center, detail.radius * detail.scale};
     if (detail.scale <= scale) {

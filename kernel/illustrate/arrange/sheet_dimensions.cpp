@@ -101,6 +101,10 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
     return;
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
+  if (overall) {
+    const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
+    for (SheetView& view : views_) view.reaches = view.broken.reaches(scene, drawn);
+  }
   deal(scene, illustration);
   keep_clear_of_annotations(scene, illustration);
 }
@@ -143,7 +147,7 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   }
   std::optional<RowInView> best;
   std::size_t where = 0;
-  bool cut = true;
+  bool cut = true, left_out = false;
   std::vector<std::string> hidden_in;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!is_wanted(views_[i])) continue;
@@ -156,6 +160,10 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
       if (wanted.empty()) continue;
     }
     if (best && shown->rank >= best->rank) continue;
+    if (!views_[i].broken.put_where_seen(shown->dimension)) {
+      left_out = true;
+      continue;
+    }
     best = std::move(shown);
     where = i;
   }
@@ -170,7 +178,9 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
                 fmt::format("is drawn in the view {}, where what it measures is hidden", wanted));
   }
   std::string why = "a section takes what it measures away";
-  if (!cut && !wanted.empty()) {
+  if (left_out) {
+    why = "the break leaves out what it measures";
+  } else if (!cut && !wanted.empty()) {
     why = fmt::format("the view {} does not show it as it is", wanted);
   } else if (!cut) {
     why = hidden_in.empty()

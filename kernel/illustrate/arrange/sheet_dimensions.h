@@ -7,8 +7,10 @@
 #include <burin/camera/sheet.h>
 #include <burin/surface/scene.h>
 
+#include "broken_view.h"
 #include "row_in_view.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -22,6 +24,9 @@ struct SheetView {
   std::string name = {};
   /// Those of a lower rank come before: a view with the line of a section, and a section itself.
   int rank = 0;
+  BrokenAs broken = {};
+  /// Whether what is left of the parts reaches both ends along x, y and z.
+  std::array<bool, 3> reaches{true, true, true};
 };
 
 /// Deals dimensions to the views of a sheet: each to the first that shows it best.

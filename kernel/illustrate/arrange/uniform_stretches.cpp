@@ -27,7 +27,14 @@ class StretchFinder {
   }
 
   void add(const ProxyMesh& proxy) {
+    ends_.assign(proxy.mesh.positions.size(), {});
     for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) add(proxy, f);
+    for (std::size_t v = 0; v < ends_.size(); ++v) {
+      // As many edges go up from there as come up to it: they go on.
+      if (ends_[v].up == ends_[v].down) continue;
+      const double at = (axes_ * proxy.mesh.positions[v]).z;
+      changes_.emplace_back(at, at);
+    }
   }
 
   std::vector<UniformStretch> run() {
@@ -60,8 +67,9 @@ class StretchFinder {
       if (proxy.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth) continue;
       const Vec3 a = p[k], b = p[(k + 1) % 3];
       if (glm::length(Vec2(b - a)) <= kWallAlong * glm::length(b - a)) {
-        changes_.emplace_back(a.z, a.z);
-        changes_.emplace_back(b.z, b.z);
+        Ends &from = ends_[triangle[k]], &to = ends_[triangle[(k + 1) % 3]];
+        ++(a.z < b.z ? from.up : from.down);
+        ++(a.z < b.z ? to.down : to.up);
       } else {
         changes_.emplace_back(std::min(a.z, b.z), std::max(a.z, b.z));
       }
@@ -88,8 +96,15 @@ class StretchFinder {
     return across.empty() ? 0 : std::max(across.size().x, across.size().y);
   }
 
+  /// How many halves of edges along the axis go up and down from a vertex.
+  struct Ends {
+    int up = 0, down = 0;
+  };
+
   /// Two across the axis, then the axis.
   Mat3 axes_{1};
+  /// Of the vertices of a part.
+  std::vector<Ends> ends_;
   /// From where to where along the axis the cross-section is not that of its neighbours.
   std::vector<std::pair<double, double>> changes_;
   /// Triangles that run along it.

@@ -30,8 +30,8 @@ struct PaperBreaks {
   Vec2 shift(std::size_t piece) const;
   /// Where a place of the whole view is on the sheet; places in a band are spread over its gap.
   Vec2 moved(Vec2 place) const;
-  /// Whether a place of the whole view is in a band.
-  bool leaves_out(Vec2 place) const;
+  /// Whether a place of the whole view, or something `around` it in paper mm, is in a band.
+  bool leaves_out(Vec2 place, double around = 0) const;
   /// The same of the whole view as it lies `by` farther.
   PaperBreaks of_moved_view(Vec2 by) const;
 
