@@ -146,6 +146,23 @@ class Edits(Sheets):
         self.doc.recompute()
         self.assertEqual((lost.Message, obj.Message), ("", ""), "features that are chosen again are taken as they are")
 
+    def test_steps_that_change_places_number_anew(self):
+        def plate(*holes):
+            outline = Part.makePolygon([V(), V(60, 0, 0), V(60, 40, 0), V(0, 40, 0), V()])
+            rims = [Part.Wire(Part.Circle(V(x, 20, 0), TOP, radius).toShape()) for x, radius in holes]
+            return Part.Face([outline, *rims]).extrude(V(0, 0, 10))
+
+        place, before, turned = ("Test", "Plate"), plate((15, 4), (45, 6)), plate((45, 6), (15, 4))
+        for x in (15, 45):
+            known = kept.keep(before, hole(before, x), place)
+            self.assertNotEqual(hole(turned, x), known["name"])
+            self.assertEqual(kept.whole_of(turned, place).structure, known["in"])
+            self.assertEqual(kept.find(turned, known, place), hole(turned, x))
+        before, moved, apart = plate((20, 4), (30, 4)), plate((30, 4), (40, 4)), plate((10, 4), (40, 4))
+        for x, later, away in ((20, 30, 10), (30, 40, 40)):
+            known = kept.keep(before, hole(before, x), place)
+            self.assertEqual((kept.find(moved, known, place), kept.find(apart, known, place)), (hole(moved, later), hole(apart, away)), "these were moved")
+
     def test_faces_that_are_alike_in_number_only_are_not_taken(self):
         plate = Part.makeBox(60, 40, 10).cut(Part.makeCylinder(4, 30, V(20, 20, -5)))
         known = kept.keep(plate, hole(plate, 20), ("Test", "Plate"))

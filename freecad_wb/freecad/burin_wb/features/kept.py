@@ -14,10 +14,13 @@ LISTS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
 # 1e-7 mm and keeps with 15 digits.
 NEAR = 1e-6
 
-# Shapes whose structure is known from the last time.
+# Shapes of which the Whole is known from the last time.
 MOST = 64
 
-_structures = collections.OrderedDict()  # place -> (shape, its structure)
+# A shape as a whole: a word for which faces have which edges and vertices, by numbers; its volume, its centre and its inertia.
+Whole = collections.namedtuple("Whole", "structure mass")
+
+_known = collections.OrderedDict()  # place -> (shape, its Whole)
 
 
 def split(name):
@@ -42,21 +45,28 @@ def element(shape, name):
 
 def keep(shape, name, place):
     """What is kept of an element, as JSON has it. `shape`: in its own coordinates; `place`: words for where it is."""
-    return {"name": name, "in": structure(shape, place), "like": print_of(element(shape, name))}
+    whole = whole_of(shape, place)
+    return {"name": name, "in": whole.structure, "mass": whole.mass, "like": print_of(element(shape, name))}
 
 
 def find(shape, kept, place):
-    """The name that an element has now; empty where nothing is like it, or several are."""
+    """The name that an element has now; empty where nothing is like it, or several are. While the structure of its shape is the same,
+    its number counts, for sizes and places may change; but steps that change places number the same shape in another order."""
     kind, _ = split(kept["name"])
-    if structure(shape, place) == kept["in"]:
+    whole = whole_of(shape, place)
+    if whole.structure != kept["in"]:
+        return like(shape, kind, kept["like"])
+    near = _near(shape)
+    is_same = _is_equal(print_of(element(shape, kept["name"])), kept["like"], near, near * _size(shape))
+    if is_same or not _weighs(whole.mass, kept["mass"], near):
         return kept["name"]
-    return like(shape, kind, kept["like"])
+    return like(shape, kind, kept["like"]) or kept["name"]
 
 
 def like(shape, kind, wanted):
     """The only element that lies on the same surface, curve or point, else the only one there of the same size and middle: a chamfer
     beside a face leaves it where it is. Empty where there is none, or several."""
-    near = NEAR * max(1.0, shape.BoundBox.DiagonalLength)
+    near = _near(shape)
     there = []
     for number, one in enumerate(getattr(shape, LISTS[kind]), 1):
         found = print_of(one)
@@ -64,31 +74,42 @@ def like(shape, kind, wanted):
             there.append((f"{kind}{number}", found))
     if len(there) == 1 and wanted["on"]:
         return there[0][0]
-    size = near * max(1.0, shape.BoundBox.DiagonalLength if kind == "Face" else 1.0)
-    equal = [name for name, found in there if abs(found["size"] - wanted["size"]) <= size and _same(found["middle"], wanted["middle"], near)]
+    equal = [name for name, found in there if _is_equal(found, wanted, near, near * _size(shape))]
     return equal[0] if len(equal) == 1 else ""
+
+
+def _size(shape):
+    return max(1.0, shape.BoundBox.DiagonalLength)
+
+
+def _near(shape):
+    return NEAR * _size(shape)
+
+
+def _is_equal(one, other, near, near_size):
+    return one["kind"] == other["kind"] and _same(one["on"], other["on"], near) and _same(one["middle"], other["middle"], near) \
+        and abs(one["size"] - other["size"]) <= near_size
 
 
 def _same(one, other, near):
     return len(one) == len(other) and all(abs(a - b) <= near for a, b in zip(one, other))
 
 
-def structure(shape, place):
-    """A word for which faces have which edges and vertices, by numbers: while it is the same, the numbers are, whatever its sizes.
-    Cost: 10 ms for 1000 faces, where it is new."""
-    known = _structures.pop(place, None)
+def whole_of(shape, place):
+    """Cost: 10 ms for 1000 faces, where the shape is new."""
+    known = _known.pop(place, None)
     if known is None or not (known[0].isPartner(shape) and known[0].Orientation == shape.Orientation):
-        known = shape, _structure(shape)
-    _structures[place] = known
-    while len(_structures) > MOST:
-        _structures.popitem(last=False)
+        known = shape, Whole(_structure(shape), _mass(shape))
+    _known[place] = known
+    while len(_known) > MOST:
+        _known.popitem(last=False)
     return known[1]
 
 
 def forget(document):
     """Lets go of the shapes of a document that is closed, by its name."""
-    for place in [place for place in _structures if place[0] == document]:
-        del _structures[place]
+    for place in [place for place in _known if place[0] == document]:
+        del _known[place]
 
 
 def _structure(shape):
@@ -101,6 +122,19 @@ def _structure(shape):
         said.append((_surface(face), [number(edge) for edge in face.Edges], [number(vertex) for vertex in face.Vertexes]))
     said.append((len(shape.Edges), len(shape.Vertexes)))
     return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+
+
+def _mass(shape):
+    """Volume, or area where it has none; centre; inertia."""
+    parts = shape.Solids or shape.Faces
+    mass = sum(one.Mass for one in parts)
+    center = sum((one.CenterOfMass * one.Mass for one in parts), FreeCAD.Vector()) * (1 / mass if mass else 0.0)
+    return [_number(mass), _numbers(center), [_number(sum(one.MatrixOfInertia.A[k] for one in parts)) for k in (0, 1, 2, 5, 6, 10)]]
+
+
+def _weighs(one, other, near):
+    """Whether shapes are the same, in whatever order their faces are."""
+    return abs(one[0] - other[0]) <= NEAR * one[0] and _same(one[1], other[1], near) and _same(one[2], other[2], NEAR * max(map(abs, one[2])))
 
 
 def _surface(face):
