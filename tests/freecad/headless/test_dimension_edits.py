@@ -175,6 +175,12 @@ class Edits(Sheets):
         self.assertEqual(kept.like(boss, "Face", known["like"]), "", "a boss is no hole")
         split = plate.cut(Part.makeBox(60, 40, 2, V(0, 0, 4)))
         self.assertEqual(kept.like(split, "Face", known["like"]), "", "which of both is not known")
+        two = Part.makeBox(60, 40, 10).cut(Part.makeBox(10, 5, 10, V(20, 0, 0)))
+        long = next(e for e in two.Edges if abs(e.Length - 30) < 1e-9 and e.CenterOfMass.distanceToPoint(V(45, 0, 0)) < 1e-9)
+        cut = two.cut(Part.makeBox(31, 5, 10, V(29, 0, 0)))
+        self.assertEqual(kept.like(cut, "Edge", kept.print_of(long)), "", "another edge of the same line")
+        shorter = two.cut(Part.makeBox(3, 5, 10, V(57, 0, 0)))
+        self.assertAlmostEqual(kept.element(shorter, kept.like(shorter, "Edge", kept.print_of(long))).Length, 27)
         self.assertEqual(kept.element(plate, kept.like(plate, "Face", known["like"])).Surface.Radius, 4)
 
 
