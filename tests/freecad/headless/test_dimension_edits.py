@@ -1,13 +1,16 @@
 """Dimensions while the model, the sheet and the illustration change: each measures what it was made for, or is left out and named."""
 
 import json
+import os
 
 import Mesh
 import Part
-from support import App, Case, V, content
+from support import App, Case, V, burin, content
 
+from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import kept, make_dimension
+from freecad.burin_wb.features.asking import items_of
 from freecad.burin_wb.features.found import features_of
 
 TOP, LEFT, RIGHT, FRONT, BACK, BOTTOM = V(0, 0, 1), V(-1, 0, 0), V(1, 0, 0), V(0, -1, 0), V(0, 1, 0), V(0, 0, -1)
@@ -211,6 +214,12 @@ class Refusals(Sheets):
         obj.Views = ["front", "left"]
         words, rest = "^Diameter is not drawn: no view is called 'top': there is front, left$", ["10", "40", "60", "h 10"]
         self.check_left_out(obj, self.bore, words, rest)
+        path = os.path.join(self.folder, "plate.burin.json")
+        illustration_file.write(obj, path)
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(len(json.load(file)["dimensions"]), 2)
+        burin().draw(path)
+        self.assertEqual([item["name"] for item in items_of(obj)], ["Plate"])
         drawing = obj.Drawing
         self.redraw(obj)
         self.assertEqual(obj.Drawing, drawing, "nothing is drawn anew")

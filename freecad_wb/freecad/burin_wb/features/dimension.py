@@ -159,6 +159,11 @@ def rows_of(obj, parts, notes):
     return rows, left
 
 
+def refused_of(obj, job):
+    """Of the dimensions that a job has those that the kernel refused the last time, by their names, and why."""
+    return {one.Name: one.LeftOut for one in dimensions_of(obj) if one.LeftOut and one.Name in job.measured}
+
+
 def mark_left_out(obj, left):
     """Has dimensions tell why a drawing is without them, which is the tree's mark; `left` by their names. It is no change of theirs."""
     for one in dimensions_of(obj):

@@ -11,7 +11,7 @@ from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
 from .apart import options_of
-from .dimension import dimensions_of, mark_left_out, own_dimensions, rows_of
+from .dimension import mark_left_out, own_dimensions, refused_of, rows_of
 from .properties import CENTRE_LINES, ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
@@ -124,7 +124,7 @@ class Illustration:
         kept_exact, _, kept = obj.Inputs.partition(":")
         if kept_exact != exact:
             obj.Inputs = exact + ":" + kept
-        refused = {one.Name: one.LeftOut for one in dimensions_of(obj) if one.LeftOut and one.Name in job.measured}
+        refused = refused_of(obj, job)
         mark_left_out(obj, {**job.left, **refused})
         if job.notes or obj.Message:  # which may tell of what was left out of another job with the same drawing
             _say(obj, job, [*job.refusals(refused), *(job.without(refused).told(text) for text in messages_of(obj.Drawing))])
