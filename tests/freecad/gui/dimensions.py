@@ -175,6 +175,19 @@ class Dimensions(Measured):
         self.assertEqual((self.told, len(self.obj.Dimensions), self.document.UndoCount),
                          (["Diameter measures this already; select other faces or edges"], 1, self.undos + 1))
 
+    def test_a_copy_has_its_own(self):
+        self.run_on("Burin_Dimension", self.hole())
+        copy = self.document.copyObject(self.obj, False)
+        self.document.recompute()
+        self.wait()
+        one, other = *self.obj.Dimensions, *copy.Dimensions
+        self.assertNotEqual(one.Name, other.Name)
+        self.assertEqual((copy.ViewObject.Proxy.claimChildren(), other.ViewObject.Proxy.getIcon()[-19:]), ([other], "burin_dimension.svg"))
+        self.assertEqual(self.obj.ViewObject.Proxy.claimChildren(), [one])
+        self.obj = copy
+        self.redraw()
+        self.assertEqual(self.numbers(), ["⌀6.2"])
+
     def test_what_the_kernel_refuses_is_marked_in_the_tree(self):
         self.run_on("Burin_Dimension", *self.heights())
         self.run_on("Burin_Dimension", self.hole())

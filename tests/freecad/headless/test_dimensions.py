@@ -253,7 +253,8 @@ class Dimensions(Case):
         other = self.box(name="Other")
         self.doc.recompute()
         for features_, words in (([(other, "Face1"), (other, "Face2")], "^Other is not drawn here"), ([(self.part, "Face1")], "^a flat face alone"),
-                                 ([(self.part, "Face99")], "^Plate.Face99 is gone"), ([(self.part, "")], "^Plate. is gone")):
+                                 ([(self.part, "Face99")], "^Plate.Face99 is gone"), ([(self.part, "")], "^Plate. is gone"),
+                                 ([(self.part, "Facet3")], "^Plate.Facet3 is gone"), ([(self.part, "?Face7")], "^Plate.Face7 is gone")):
             with self.assertRaisesRegex(Refused, words):
                 make_dimension(obj, features_)
         self.assertEqual((list(obj.Dimensions), [o for o in self.doc.Objects if o.Name.startswith("Dimension")]), ([], []))

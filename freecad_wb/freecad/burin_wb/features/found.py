@@ -2,6 +2,7 @@
 steps of a body are others."""
 
 import json
+import re
 from collections import namedtuple
 
 import Part
@@ -11,6 +12,8 @@ from ..text import tr
 from . import kept
 from .looks import path_of
 from .sources import from_the_top
+
+_ELEMENT = re.compile(r"(Face|Edge|Vertex)\d+")
 
 # An element: `sub` names it in its object, `base` is the shape of that in its own coordinates, `shape` itself in those of the model.
 Found = namedtuple("Found", "top sub base shape")
@@ -26,7 +29,7 @@ def now(top, sub, text=""):
     inside, dot, name = sub.rpartition(".")
     whole = _whole(top, inside + dot)
     known = _known(text, called(top, sub))
-    if known is None and "?" in name or not name.lstrip("?").startswith(tuple(kept.LISTS)):
+    if not _ELEMENT.fullmatch(name.lstrip("?") if known else name):
         raise _gone(top, sub)
     base = kept.own(whole)
     name = kept.find(base, known, _place(top, inside)) if known else name

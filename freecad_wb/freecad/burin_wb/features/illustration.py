@@ -66,10 +66,11 @@ class Illustration:
         self._restored = True
         ensure(obj, ILLUSTRATION)
         part_files(obj)
-        own_dimensions(obj)
         hooks.dress(obj)
         if is_newer(obj):
             tell(f"{obj.Label}: {NEWER}")
+        else:
+            own_dimensions(obj)
 
     def execute(self, obj):
         if is_newer(obj):
