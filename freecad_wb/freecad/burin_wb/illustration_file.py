@@ -12,6 +12,7 @@ import FreeCAD
 
 from . import item_numbers, kernel
 from .errors import Refused
+from .features.dimension import refused_of
 from .features.illustration import make_job
 from .features.styles import is_file
 from .illustration_read import read  # noqa: F401  the way back
@@ -28,6 +29,9 @@ def write(obj, path):
     if not path.endswith(SUFFIX):
         raise Refused(f"{path}: illustration files end with {SUFFIX}; give it such a name")
     job = make_job(obj)
+    refused = refused_of(obj, job)
+    job.notes.extend(job.refusals(refused))
+    job = job.without(refused)  # with them it would not be drawn
     burin = kernel.module()
     folder = os.path.basename(path)[: -len(SUFFIX)] + ".models"
     models = _Models(os.path.join(os.path.dirname(path), folder))

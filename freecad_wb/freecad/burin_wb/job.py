@@ -122,6 +122,7 @@ class Result:
     messages: List[str]  # of the kernel
     fingerprint: str
     numbers: Dict[str, str] = field(default_factory=dict)  # of all items, kept ones among them; nothing where none were asked for
+    left: Dict[str, str] = field(default_factory=dict)  # names of dimensions that the kernel does not draw, and why
 
 
 UNCHANGED = Result(None, None, 0.0, [], "")
@@ -140,7 +141,8 @@ class Job:
     notes: List[str] = field(default_factory=list)  # what was left out, and why
     files: Dict[str, str] = field(default_factory=dict)  # style files with the hashes of what they hold
     unless: str = ""  # nothing is drawn where this is the fingerprint
-    labels: List[str] = field(default_factory=list)  # of dimensions of features, in order
+    measured: Dict[str, str] = field(default_factory=dict)  # names and labels of dimensions of features, in order
+    left: Dict[str, str] = field(default_factory=dict)  # names of others that are left out, and why
     book: Tuple[List[str], int] = ([], 0)  # of a step book: files that are written, new items of a step at the most
 
     def exact_fingerprint(self):
@@ -241,7 +243,44 @@ class Job:
 
     def told(self, text):
         """What the kernel says, `plainly`, with the labels of dimensions for their numbers."""
-        return _NUMBERED.sub(lambda said: dict(enumerate(self.labels, 1)).get(int(said.group(1)), said.group(0)), plainly(text))
+        labels = dict(enumerate(self.measured.values(), 1))
+        return _NUMBERED.sub(lambda said: labels.get(int(said.group(1)), said.group(0)), plainly(text))
+
+    def without(self, names):
+        """The same job without some of its dimensions of features."""
+        if not names:
+            return self
+        rows, at = [], iter(self.measured)
+        for row in self.options.get("illustration", {}).get("dimensions", ()):
+            if isinstance(row, str) or next(at) not in names:
+                rows.append(row)
+        said = {**self.options.get("illustration", {}), "dimensions": rows}
+        if not rows:
+            del said["dimensions"]
+        options = {**self.options, "illustration": said}
+        if not said:
+            del options["illustration"]
+        return replace(self, options=options, measured={name: label for name, label in self.measured.items() if name not in names})
+
+    def refusals(self, left):
+        """What there is to say of dimensions that the kernel does not draw."""
+        return [f"{self.measured[name]} is not drawn: {why}" for name, why in left.items()]
+
+    def draw_rest(self, burin, progress=None, cancel=None, kept=None):
+        """As `draw`, without the dimensions that the kernel refuses: the drawing, the job that has it, and why others are left out, by
+        their names. One more run for each of those; they are few."""
+        job, left = self, {}
+        while True:
+            try:
+                return job.draw(burin, progress, cancel, kept), job, left
+            except burin.Error as error:
+                said = _REFUSED.match(plainly(error))
+                names = list(job.measured)
+                if said is None or int(said.group(1)) > len(names):
+                    raise
+                name = names[int(said.group(1)) - 1]
+                left[name] = said.group(2)
+                job = job.without({name})
 
     def run(self, burin, progress=None, cancel=None, kept=None):
         """As `draw`, for the document."""
@@ -249,18 +288,21 @@ class Job:
             return UNCHANGED
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
             fingerprint = beside.submit(self.fingerprint, kept)
-            drawing = self.draw(burin, progress, cancel, kept)
-            messages = [self.told(d.message) for d in drawing.diagnostics]
+            drawing, drawn, left = self.draw_rest(burin, progress, cancel, kept)
+            messages = [*self.refusals(left), *(drawn.told(d.message) for d in drawing.diagnostics)]
             numbers = self._numbers(drawing.items)
             if numbers != self._numbers(()):
                 fingerprint.result()
                 fingerprint = beside.submit(self.with_numbers(numbers).fingerprint, kept)
             return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
-                          drawing.view.scale, messages, fingerprint.result(), numbers)
+                          drawing.view.scale, messages, fingerprint.result(), numbers, left)
 
 
 # What the kernel calls a dimension.
 _NUMBERED = re.compile(r"\bdimension (\d+) \([a-z]+\)")
+
+# How it says that it draws nothing for the sake of one.
+_REFUSED = re.compile(r"dimension (\d+) \([a-z]+\): (.*)", re.DOTALL)
 
 
 def plainly(text):

@@ -142,8 +142,9 @@ class Dimensions(Measured):
             self.assertNotIn("\n", self.told[-1])
             self.assertEqual((list(self.obj.Dimensions), self.document.UndoCount), ([], undos))
         self.document.removeObject(self.obj.Name)
-        self.run_on("Burin_Dimension", *self.heights())
-        self.assertEqual(self.told[-1], "there is no illustration yet; make one with New illustration first")
+        for chosen in (self.heights(), [self.pump], []):
+            self.run_on("Burin_Dimension", *chosen)
+            self.assertEqual(self.told.pop(), "there is no illustration yet; make one with New illustration first")
 
     def test_of_several_illustrations(self):
         from freecad.burin_wb.features import make_illustration
@@ -167,6 +168,66 @@ class Dimensions(Measured):
         self.wait()
         self.run_on("Burin_Dimension", view)
         self.assertEqual([one.Kind for one in self.obj.Dimensions], ["Overall"], "and its view on a page")
+
+    def test_the_same_again_is_told(self):
+        for _ in range(2):
+            self.run_on("Burin_Dimension", self.hole())
+        self.assertEqual((self.told, len(self.obj.Dimensions), self.document.UndoCount),
+                         (["Diameter measures this already; select other faces or edges"], 1, self.undos + 1))
+
+    def test_a_copy_has_its_own(self):
+        self.run_on("Burin_Dimension", self.hole())
+        copy = self.document.copyObject(self.obj, False)
+        self.document.recompute()
+        self.wait()
+        one, other = *self.obj.Dimensions, *copy.Dimensions
+        self.assertNotEqual(one.Name, other.Name)
+        self.assertEqual((copy.ViewObject.Proxy.claimChildren(), other.ViewObject.Proxy.getIcon()[-19:]), ([other], "burin_dimension.svg"))
+        self.assertEqual(self.obj.ViewObject.Proxy.claimChildren(), [one])
+        self.obj = copy
+        self.redraw()
+        self.assertEqual(self.numbers(), ["⌀6.2"])
+
+    def test_what_the_kernel_refuses_is_marked_in_the_tree(self):
+        self.run_on("Burin_Dimension", *self.heights())
+        self.run_on("Burin_Dimension", self.hole())
+        height, hole = self.obj.Dimensions
+        hole.View = "left"
+        self.document.recompute()
+        self.wait()
+        self.assertEqual((self.numbers(), self.obj.Message), (["16"], "Diameter is not drawn: no view is called 'left': there is front, top"))
+        self.assertEqual([one.ViewObject.Proxy.getIcon().rpartition("/")[2] for one in (height, hole)], ["burin_dimension.svg", "burin_stale.svg"])
+        self.assertFalse([one.Name for one in (self.obj, height, hole) if "Touched" in one.State])
+        hole.View = ""
+        self.document.recompute()
+        self.wait()
+        self.assertEqual((self.numbers(), self.obj.Message, hole.ViewObject.Proxy.getIcon()[-19:]), (["16", "⌀6.2"], "", "burin_dimension.svg"))
+
+    def test_a_body_is_measured_through_its_steps(self):
+        """As clicks name them: by the body and the step."""
+        from freecad.burin_wb.features import make_illustration
+
+        body = self.document.addObject("PartDesign::Body", "Body")
+        for kind, name, sizes, x in (("AdditiveBox", "Block", {"Length": 60, "Width": 40, "Height": 15}, 0),
+                                     ("SubtractiveCylinder", "One", {"Radius": 4, "Height": 15}, 20), ("SubtractiveCylinder", "Two", {"Radius": 4, "Height": 15}, 45)):
+            step = body.newObject("PartDesign::" + kind, name)
+            step.Placement.Base = V(x, 20 if x else 0, 0)
+            for size, value in sizes.items():
+                setattr(step, size, value)
+        self.document.recompute()
+        self.obj = make_illustration(self.document, [body])
+        self.obj.Width, self.obj.Height, self.obj.Margin, self.obj.Views = 297, 210, 10, ["front", "top"]
+        self.document.recompute()
+        self.wait()
+        holes = [f"Two.Face{k}" for k, face in enumerate(body.Shape.Faces, 1) if face.findPlane() is None]
+        self.run_on("Burin_Dimension", *((body, name) for name in holes))
+        self.assertEqual(self.numbers(), ["25"])
+        chamfer = body.newObject("PartDesign::Chamfer", "Chamfer")
+        for edge in ("Edge1", "Edge2", "Edge12"):
+            chamfer.Base, chamfer.Size = (self.document.Two, [edge]), 1
+            self.document.recompute()
+            self.wait()
+            self.assertEqual((self.numbers(), self.obj.Message), (["25"], ""), edge)
 
     def test_what_is_gone_is_marked_in_the_tree(self):
         self.run_on("Burin_Dimension", self.hole())
@@ -299,6 +360,19 @@ class SectionViews(Annotations):
         self.close(self.open("Burin_SectionView", self.obj, self.sub("Plate", facing(self.document.Plate, V(0, -1, 0)))))
         self.assertEqual(self.said()[2]["plane"], {"normal": [0, -1, 0], "offset": -20}, "a face at the end of the model: through the middle")
         self.assertEqual(self.views(), ["front", "top", "A-A", "B-B", "C-C"])
+
+    def test_another_one_takes_a_place_of_its_own(self):
+        for _ in range(3):
+            self.close(self.open("Burin_SectionView"))
+        offsets = [one["plane"]["offset"] for one in self.said()]
+        self.assertEqual((offsets, self.views()), ([-20, -30, -10], ["front", "top", "A-A", "B-B", "C-C"]))
+        datum = self.document.addObject("PartDesign::Plane", "Datum")
+        datum.Placement = FreeCAD.Placement(V(0, 30, 0), FreeCAD.Rotation(V(0, 0, 1), V(0, 1, 0)))
+        self.document.recompute()
+        panel = self.open("Burin_SectionView", self.obj, datum)
+        self.assertEqual((panel.list.currentRow(), len(self.said())), (1, 3), "the one that lies there")
+        self.assertEqual(panel.message.text(), "a section lies in this plane already; move it, or add another one")
+        self.close(panel)
 
     def test_letters_of_details_come_after(self):
         self.obj.Sections, self.obj.Details = ['{"plane": "y", "view": true}'], ["Pump.Bolt"]

@@ -31,6 +31,16 @@ class SectionViews(Case):
     def cut(self, **more):
         return section.in_view({**section.plane(V(0, -1, 0), -20, []), **more})
 
+    def test_another_one_takes_a_place_of_its_own(self):
+        normal, to_viewer, extent = V(0, -1, 0), V(0, -1, 0), lambda way: sorted((0.0, 40.0 * way.y))
+        entries, offset = [], -20.0
+        for wanted in (-20, -30, -10, -35):
+            taken = section.offsets_along(entries, normal, to_viewer, extent)
+            offset = section.free_offset(-20.0, [one for one in taken if one is not None], -40.0, 0.0)
+            self.assertAlmostEqual(offset, wanted)
+            entries.append(section.in_view(section.plane(-normal, -offset) if wanted == -30 else section.plane(normal, offset)))
+        self.assertEqual(section.offsets_along(["y", "x", "y=5", {"box": 1}], normal, to_viewer, extent), [-20, None, -5, None])
+
     def test_a_view_that_alone_is_cut(self):
         obj = self.sheet(self.cut())
         self.assertEqual(obj.Message, "")

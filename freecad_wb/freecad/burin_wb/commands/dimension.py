@@ -25,6 +25,8 @@ class Dimension(Command):
         return bool(FreeCAD.ActiveDocument.Objects)
 
     def run(self, document):
+        if not any(is_illustration(obj) for obj in document.Objects):
+            raise Refused(tr("there is no illustration yet; make one with New illustration first"))
         features = selected_features(document)
         made = make_dimension(illustration_for(document, features), features)
         document.recompute()
@@ -36,10 +38,7 @@ def illustration_for(document, features):
     """The selected illustration, else the only one of the document, else the only one that draws these features. Throws Refused."""
     chosen = selected_illustrations()
     if not chosen:
-        chosen = [obj for obj in document.Objects if is_illustration(obj)]
-        if not chosen:
-            raise Refused(tr("there is no illustration yet; make one with New illustration first"))
-        chosen = [obj for obj in chosen if features and draws(obj, features)]
+        chosen = [obj for obj in document.Objects if is_illustration(obj) and features and draws(obj, features)]
     if len(chosen) != 1:
         raise Refused(tr("select the illustration too: this document has several"))
     return chosen[0]

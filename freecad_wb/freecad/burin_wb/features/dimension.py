@@ -6,8 +6,8 @@ import re
 from .. import hooks
 from ..errors import Refused
 from ..text import tr
-from .details import shape_at
-from .looks import path_of
+from .found import drawn, features_of, found_of, now, text_of
+from .kept import split
 from .measured import ends_of, kind_of, may_have, measured
 from .properties import DIMENSION, ensure, is_newer
 from .sources import from_the_top, survey
@@ -32,13 +32,20 @@ class Dimension:
         ensure(obj, DIMENSION)
         hooks.dress(obj)
 
+    def onChanged(self, obj, name):
+        """Features that are chosen again for lost ones are others, even where they have the same names."""
+        if name == "Features" and getattr(obj, "Message", "") and getattr(obj, "Kept", ()) and not obj.Document.Transacting \
+                and "Restore" not in obj.State:
+            obj.Kept = []
+
     def execute(self, obj):
-        """Says what is wrong with it; never fails, for FreeCAD would not draw the illustration then."""
+        """Follows what it measures, and says what is wrong with it; never fails, for FreeCAD would not draw the illustration then."""
         if is_newer(obj):
             return
-        text = _problem(obj)
-        if obj.Message != text:
-            obj.Message = text
+        text, found = _problem(obj)
+        if not text:
+            _follow(obj, found)
+        tell_why(obj, text or obj.LeftOut)
 
     def dumps(self):
         return None
@@ -62,27 +69,45 @@ def illustrations_of(dimension):
     return [obj for obj in dimension.InList if dimension in dimensions_of(obj)]
 
 
-def features_of(dimension):
-    """(object, sub-name) of each face, edge or vertex, through the outermost assembly."""
-    return [from_the_top(obj, sub) for obj, subs in dimension.Features for sub in subs]
+def tell_why(dimension, text):
+    """Sets why it is not drawn."""
+    if dimension.Message != text:
+        dimension.Message = text
+
+
+def own_dimensions(illustration):
+    """A copy of an illustration comes with the dimensions of its original: gives it its own."""
+    others = [one for other in illustration.Document.Objects if other is not illustration for one in dimensions_of(other)]
+    if any(one in others for one in illustration.Dimensions):
+        illustration.Dimensions = [_copy(one) if one in others else one for one in illustration.Dimensions]
+
+
+def _copy(one):
+    obj = one.Document.addObject("App::FeaturePython", "Dimension")
+    Dimension(obj)
+    for name in ("Label", *(row.name for row in DIMENSION)):
+        setattr(obj, name, getattr(one, name))
+    return obj
 
 
 def make_dimension(illustration, features=(), kind="", **properties):
     """A new dimension of an illustration: of `features`, (object, sub-name) each; of none: the overall ones. `kind`: a word of the
     property Kind; empty: what the features have. No transaction, no recompute. Throws Refused."""
-    features = [from_the_top(obj, sub) for obj, sub in features]
+    found = [now(*from_the_top(obj, sub)) for obj, sub in features]
     sources = [piece.part.source for piece in survey(illustration.Sources)[0]]
-    for top, sub in features:
-        _part_of(top, sub, sources)
-    found, why = kind_of([_shape(top, sub) for top, sub in features])
+    elements = _elements(found, sources)
+    has, why = kind_of([one.shape for one in found])
     if not kind and why:
         raise Refused(why)
     if not features and any(one.Kind == OVERALL for one in dimensions_of(illustration)):
         raise Refused(tr("{0} has its overall dimensions already; select faces or edges for others").format(illustration.Label))
+    for one in dimensions_of(illustration):
+        if features and _is_like(one, kind or has, elements, properties, sources):
+            raise Refused(tr("{0} measures this already; select other faces or edges").format(one.Label))
     obj = illustration.Document.addObject("App::FeaturePython", "Dimension")
     Dimension(obj)
-    obj.Kind, obj.Label = kind or found, kinds()[kind or found]
-    obj.Features = [(top, (sub,)) for top, sub in features]
+    obj.Kind, obj.Label = kind or has, kinds()[kind or has]
+    _follow(obj, found)
     for name, value in properties.items():
         setattr(obj, name, value)
     illustration.Dimensions = [*illustration.Dimensions, obj]
@@ -95,29 +120,75 @@ def kinds():
             "Angle": tr("Angle"), "Depth": tr("Depth"), "Thread": tr("Thread")}
 
 
+def _elements(found, sources):
+    """What features are in what is drawn, in any order. Throws Refused."""
+    return sorted(drawn(one, sources)[:2] for one in found)
+
+
+def _is_like(one, kind, elements, properties, sources):
+    """Whether a dimension measures these elements, and has those of the properties that tell two of one kind apart."""
+    if one.Kind != kind or any(getattr(one, name) != properties[name] for name in ("Along", "Supplement", "View") if name in properties):
+        return False
+    try:
+        return _elements(found_of(one), sources) == elements
+    except Refused:
+        return False
+
+
+def _follow(one, found):
+    """Names its elements as they are called now, and keeps what they look like. What is as before is not set: that would be a change."""
+    names = [(each.top, each.sub) for each in found]
+    if names != features_of(one):
+        one.Features = [(top, (sub,)) for top, sub in names]
+    texts = [text_of(each) for each in found]
+    if texts != list(one.Kept):
+        one.Kept = texts
+
+
 def rows_of(obj, parts, notes):
-    """The labels of the dimensions of an illustration, and these as the kernel takes them. What cannot be measured any more is told and
-    left out. `parts`: PartJobs."""
+    """The dimensions of an illustration, and these as the kernel takes them, by pairs; and why others are left out, by their names,
+    which is told. `parts`: PartJobs."""
     sources = [part.source if part.drawn else "" for part in parts]
-    rows = []
+    rows, left = [], {}
     for one in dimensions_of(obj):
         try:
-            rows.append((one.Label, _said(one, sources)))
+            rows.append((one, _said(one, sources)))
         except Refused as why:
             notes.append(f"{one.Label}: {why}")
-    return rows
+            left[one.Name] = str(why)
+    return rows, left
+
+
+def refused_of(obj, job):
+    """Of the dimensions that a job has those that the kernel refused the last time, by their names, and why."""
+    return {one.Name: one.LeftOut for one in dimensions_of(obj) if one.LeftOut and one.Name in job.measured}
+
+
+def mark_left_out(obj, left):
+    """Has dimensions tell why a drawing is without them, which is the tree's mark; `left` by their names. It is no change of theirs."""
+    for one in dimensions_of(obj):
+        why = left.get(one.Name, "")
+        if one.LeftOut == why or is_newer(one):
+            continue
+        touched = "Touched" in one.State
+        tell_why(one, why if one.Message in ("", one.LeftOut) else one.Message)
+        one.LeftOut = why
+        if not touched:
+            one.purgeTouched()
 
 
 def _said(one, sources):
     """Throws Refused."""
-    text = _problem(one)
+    text, found = _problem(one)
     if text:
         raise Refused(text)
     if one.Kind == OVERALL:
         return one.Kind.lower()
-    of = [_feature(top, sub, sources) for top, sub in features_of(one)]
+    of = [drawn(each, sources) for each in found]
     if one.Kind == "Distance" and len(of) == 1:
-        of = [_point(end) for end in ends_of(_shape(*features_of(one)[0]))]
+        of = [_point(end) for end in ends_of(of[0][2])]
+    else:
+        of = [_feature(*each) for each in of]
     row = {one.Kind.lower(): of if one.Kind in PAIRS else of[0]}
     if one.Kind == "Distance" and one.Along.Length > 0:
         row["along"] = list(one.Along)
@@ -146,50 +217,28 @@ def tolerance_text(tolerance):
     return tolerance if isinstance(tolerance, str) else f"{tolerance:g}"
 
 
-def _feature(top, sub, sources):
-    shape = _shape(top, sub)
-    if shape.ShapeType == "Vertex":
-        _part_of(top, sub, sources)
-        return _point(shape.Point)
-    element = sub.rpartition(".")[2]
-    kind = "face" if element.startswith("Face") else "edge"
-    return {"part": f"@index={_part_of(top, sub, sources)}", kind: int(element[len(kind):]) - 1}
+def _feature(part, name, shape):
+    """As the kernel takes it."""
+    kind, number = split(name)
+    return _point(shape.Point) if kind == "Vertex" else {"part": f"@index={part}", kind.lower(): number - 1}
 
 
 def _point(at):
     return {"point": [round(a, 9) + 0.0 for a in at]}
 
 
-def _part_of(top, sub, sources):
-    """The number of the part that an element is of: its object's, or that of a body in which the object is a step. Throws Refused."""
-    path = path_of(top, sub)
-    for k, source in enumerate(sources):
-        if source and f"{path}.".startswith(f"{source}."):
-            return k
-    raise Refused(tr("{0} is not drawn here; add it to Sources, or delete the dimension").format(path))
-
-
-def _shape(top, sub):
-    """Throws Refused where there is no such element any more; FreeCAD 1.0 marks lost ones with a question mark."""
-    try:
-        if "?" not in sub:
-            shape = shape_at(top, sub)
-            if not shape.isNull() and shape.ShapeType in ("Face", "Edge", "Vertex"):
-                return shape
-    except Exception:  # FreeCAD throws many kinds for names that it does not know
-        pass
-    raise Refused(tr("{0} is gone; choose its Features again, or delete it").format(f"{path_of(top, sub)}.{sub.rpartition('.')[2].lstrip('?')}"))
-
-
 def _problem(one):
-    """Why nothing can be measured; empty where it can be."""
+    """Why nothing can be measured, empty where it can be; and its elements."""
     if one.Kind == OVERALL:
-        return ""
-    features = features_of(one)
+        return "", []
     try:
-        shapes = [_shape(top, sub) for top, sub in features]
+        found = found_of(one)
     except Refused as why:
-        return str(why)
+        return str(why), []
+    return _problem_of_shapes(one, [each.shape for each in found]), found
+
+
+def _problem_of_shapes(one, shapes):
     if not shapes:
         return tr("its features are gone; choose its Features again, or delete it")
     if one.Kind in PAIRS:

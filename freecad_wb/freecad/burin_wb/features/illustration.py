@@ -11,7 +11,7 @@ from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
 from .apart import options_of
-from .dimension import rows_of
+from .dimension import mark_left_out, own_dimensions, refused_of, rows_of
 from .properties import CENTRE_LINES, ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
@@ -69,6 +69,8 @@ class Illustration:
         hooks.dress(obj)
         if is_newer(obj):
             tell(f"{obj.Label}: {NEWER}")
+        else:
+            own_dimensions(obj)
 
     def execute(self, obj):
         if is_newer(obj):
@@ -123,8 +125,10 @@ class Illustration:
         kept_exact, _, kept = obj.Inputs.partition(":")
         if kept_exact != exact:
             obj.Inputs = exact + ":" + kept
+        refused = refused_of(obj, job)
+        mark_left_out(obj, {**job.left, **refused})
         if job.notes or obj.Message:  # which may tell of what was left out of another job with the same drawing
-            _say(obj, job, [job.told(text) for text in messages_of(obj.Drawing)])
+            _say(obj, job, [*job.refusals(refused), *(job.without(refused).told(text) for text in messages_of(obj.Drawing))])
 
     def dumps(self):
         return None
@@ -180,7 +184,7 @@ def make_job(obj):
     for part in parts:
         if part.style:
             part.style = styles.resolve(part.style, obj.Document)
-    rows = rows_of(obj, parts, notes)
+    rows, left = rows_of(obj, parts, notes)
     options = {
         "view": tuple(obj.ViewDirection),
         "up": tuple(obj.ViewUp),
@@ -197,7 +201,7 @@ def make_job(obj):
         **options_of(obj, [part.source for part in parts], rows, notes),
     }
     return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}), 
-               labels=[label for label, said in rows if not isinstance(said, str)])
+               measured={one.Name: one.Label for one, said in rows if not isinstance(said, str)}, left=left)
 
 
 def keep_numbers(obj, job, result):
@@ -221,6 +225,7 @@ def keep(obj, job, result, exact):
     _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
     obj.Inputs = exact + ":" + result.fingerprint
+    mark_left_out(obj, {**job.left, **result.left})
     _say(obj, job, result.messages)
 
 

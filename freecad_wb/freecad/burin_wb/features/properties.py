@@ -66,8 +66,8 @@ ILLUSTRATION = (
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
 CENTRE_LINES = "feature.centre_lines"  # the style key of CentreLines
-READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema", "Middle"}
-HIDDEN = {"Inputs", "Schema", "Middle"}
+READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema", "Middle", "Kept", "LeftOut"}
+HIDDEN = {"Inputs", "Schema", "Middle", "Kept", "LeftOut"}
 
 SHEET_VIEW = (
     Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration that this view places"),
@@ -93,6 +93,8 @@ DIMENSION = (
     Row("Tolerance", "App::PropertyString", "Text", "", "Behind the number: H7, 0.1 (±0.1), or the upper and the lower deviation, +0.1/-0.2"),
     Row("Decimals", "App::PropertyInteger", "Text", -1, "Places after the point, 0 to 6; -1: those of the style"),
     Row("View", "App::PropertyString", "Text", "", "The view of the sheet that has it, such as top or A-A; empty: the first that shows it best"),
+    Row("Kept", "App::PropertyStringList", "Result", [], "What its features look like, an entry each: they are found again by that"),
+    Row("LeftOut", "App::PropertyString", "Result", "", "Why the last drawing is without it"),
     Row("Message", "App::PropertyString", "Result", "", "Why it is not drawn"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )

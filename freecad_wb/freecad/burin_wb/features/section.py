@@ -2,6 +2,7 @@
 of the option --section ("y", "-z=12")."""
 
 import json
+import math
 import re
 
 import FreeCAD
@@ -104,6 +105,25 @@ def plane_of(entry, to_viewer, extent):
 
 def _middle(extent, normal):
     return sum(extent(normal)) / 2
+
+
+# mm: sections that are as near to each other are at one place.
+NEAR = 1e-6
+
+
+def offsets_along(entries, normal, to_viewer, extent):
+    """Where entries that are one plane across a normal lie along that; nothing for each other entry."""
+    planes = [plane_of(entry, to_viewer, extent) for entry in entries]
+    return [math.copysign(1.0, found[0].dot(normal)) * found[1] if found and found[0].cross(normal).Length < NEAR else None for found in planes]
+
+
+def free_offset(offset, taken, low, high):
+    """The offset where no section lies, else the middle of the widest space between those that do, and the ends of the model."""
+    if all(abs(one - offset) > NEAR for one in taken):
+        return offset
+    ends = [low, *sorted(one for one in taken if low < one < high), high]
+    wide = max(zip(ends, ends[1:]), key=lambda gap: round(gap[1] - gap[0], 6))
+    return sum(wide) / 2
 
 
 def of_face(face, solid):

@@ -105,8 +105,12 @@ class SectionPanel(Panel):
         try:
             return section.entries_of(self.obj)
         except Refused as why:
-            QtCore.QTimer.singleShot(0, lambda text=str(why): self.message.setText(text))
+            self._say_later(str(why))
             return []
+
+    def _say_later(self, text):
+        """When the panel has said how it stands with the drawing."""
+        QtCore.QTimer.singleShot(0, lambda: self.over or self.message.setText(text))
 
     def _row(self):
         return self.list.currentRow()
@@ -136,6 +140,12 @@ class SectionPanel(Panel):
 
     def _plane_of(self, entry):
         return section.plane_of(entry, to_viewer(self.obj), self.extent.along) if entry is not None else None
+
+    def _offsets(self, normal):
+        return section.offsets_along(self._entries(), normal, to_viewer(self.obj), self.extent.along)
+
+    def _taken(self, normal):
+        return [offset for offset in self._offsets(normal) if offset is not None]
 
     def _words(self, entry):
         """What the list says of an entry."""
@@ -201,7 +211,8 @@ class SectionPanel(Panel):
         name = max("xy" if abs(to.z) < 0.99 * to.Length else "z", key=lambda axis: round(abs(AXES[axis].dot(to)) / to.Length, 3))
         normal = AXES[name] * (1 if AXES[name].dot(to) >= 0 else -1)
         low, high = self.extent.along(normal)
-        self._use([*self._entries(), section.plane(normal, round((low + high) / 2, 6))], len(self._entries()))
+        offset = section.free_offset((low + high) / 2, self._taken(normal), low, high)
+        self._use([*self._entries(), section.plane(normal, round(offset, 6) + 0.0)], len(self._entries()))
 
     def _from_face(self):
         try:
@@ -275,9 +286,14 @@ class SectionViewPanel(SectionPanel):
     def begin(self):
         normal, offset = self._first or (AXES["y"] * (1 if AXES["y"].dot(to_viewer(self.obj)) > 1e-9 else -1), math.inf)
         low, high = self.extent.along(normal)
-        if not low + NEAR < offset < high - NEAR:  # a plane that bounds the model cuts nothing
-            offset = (low + high) / 2
         entries = self._entries()
+        if not low + NEAR < offset < high - NEAR:  # a plane that bounds the model cuts nothing
+            offset = section.free_offset((low + high) / 2, self._taken(normal), low, high)
+        row = next((k for k, one in enumerate(self._offsets(normal)) if one is not None and abs(one - offset) <= section.NEAR), None)
+        if row is not None:
+            self._list(row)
+            self._say_later(tr("a section lies in this plane already; move it, or add another one"))
+            return
         plane = section.plane(tuple(n + 0.0 for n in normal), round(offset, 6) + 0.0)
         self._use([*entries, section.in_view(plane)], len(entries))
 

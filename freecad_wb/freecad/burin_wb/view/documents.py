@@ -1,6 +1,6 @@
 """What becomes of runs, panels and kept shapes where documents are undone, saved and closed."""
 
-from ..features import illustration, is_illustration
+from ..features import illustration, is_illustration, kept
 from ..features.shapes import shapes
 
 
@@ -37,6 +37,7 @@ class Documents:
         self._runs.left.emit(document.Name, "")
         self._runs.drop_document(document.Name)
         shapes.forget(document.Name)
+        kept.forget(document.Name)
 
     def _renew(self, document):
         self._runs.undone.emit(document.Name)

@@ -752,6 +752,10 @@
       <translation>ein Maßstab ist etwa 5:1 oder 1:2</translation>
     </message>
     <message>
+      <source>a section lies in this plane already; move it, or add another one</source>
+      <translation>in dieser Ebene liegt schon ein Schnitt; verschieben Sie ihn oder fügen Sie einen anderen hinzu</translation>
+    </message>
+    <message>
       <source>a step moves its parts by more than 0 mm</source>
       <translation>ein Schritt bewegt seine Teile um mehr als 0 mm</translation>
     </message>
@@ -1172,6 +1176,10 @@
       <translation>{0} Illustrationen neu gezeichnet, {1} wie zuvor</translation>
     </message>
     <message>
+      <source>{0} is a mesh, which has no faces and edges that can be measured</source>
+      <translation>{0} ist ein Netz; es hat keine Flächen und Kanten, die sich messen lassen</translation>
+    </message>
+    <message>
       <source>{0} is gone; choose its Features again, or delete it</source>
       <translation>{0} ist nicht mehr da; wählen Sie Features neu oder löschen Sie das Maß</translation>
     </message>
@@ -1198,6 +1206,10 @@
     <message>
       <source>{0} lines</source>
       <translation>{0} Linien</translation>
+    </message>
+    <message>
+      <source>{0} measures this already; select other faces or edges</source>
+      <translation>{0} misst das schon; wählen Sie andere Flächen oder Kanten</translation>
     </message>
     <message>
       <source>{0} views</source>
