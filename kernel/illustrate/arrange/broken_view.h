@@ -46,7 +46,7 @@ class BrokenAs {
   PaperBreaks on_paper(const Camera& camera, const ViewOptions& view) const;
   /// Moves a dimension to where the view shows something of what it measures; false where it shows
   /// nothing of it.
-  bool put_where_seen(Dimension& dimension) const;
+  bool put_where_seen(Dimension& one) const;
   /// Whether what is left of parts reaches both ends of them along x, y and z. Cost: a look at each
   /// triangle.
   std::array<bool, 3> reaches(const MeasuredParts& parts) const;
