@@ -1,3 +1,4 @@
+#include <burin/base/error.h>
 #include <burin/mesh/proxy_mesh.h>
 
 #include "broken_view.h"
@@ -86,36 +87,53 @@ bool BrokenAs::put_where_seen(Dimension& one) const {
   return true;
 }
 
-std::array<bool, 3> BrokenAs::reaches(const Scene& scene, const std::vector<bool>& drawn) const {
+std::array<bool, 3> BrokenAs::reaches(const MeasuredParts& parts) const {
   std::array<bool, 3> out{true, true, true};
   if (empty()) return out;
-  RealiseOptions options;
-  const double fine = kReachFine * scene.bounds(Mat3(1)).diagonal();
-  options.tolerance = fine;
-  options.curvature = false;
-  RunContext context;
   Box3 whole, left;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (!drawn[i]) continue;
-    const auto surface = scene.parts[i].form->realise(options, context);
+  for (const std::shared_ptr<const Surface>& surface : parts.surfaces) {
     const TriMesh& mesh = surface->proxy().mesh;
     for (const Triangle& triangle : mesh.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 &p = mesh.positions[triangle[k]], &q = mesh.positions[triangle[(k + 1) % 3]];
-        const double from = glm::dot(way_, p), to = glm::dot(way_, q);
         whole.add(p);
-        if (!leaves_out(from)) left.add(p);
-        for (const PaperBreaks::Band& band : bands_) {
-          for (const double side : {band.low, band.high}) {
-            if ((from < side) != (to < side)) left.add(glm::mix(p, q, (side - from) / (to - from)));
-          }
-        }
+        add_left(p, q, left);
       }
     }
   }
+  const double near = 2 * parts.tolerance + kRounding;
   for (int k = 0; k < 3; ++k) {
-    out[static_cast<std::size_t>(k)] = left.min[k] <= whole.min[k] + 2 * fine + kRounding &&
-                                       left.max[k] >= whole.max[k] - 2 * fine - kRounding;
+    out[static_cast<std::size_t>(k)] =
+        left.min[k] <= whole.min[k] + near && left.max[k] >= whole.max[k] - near;
+  }
+  return out;
+}
+
+/// The beginning of an edge, and where it crosses the sides of breaks, where they are not left out.
+void BrokenAs::add_left(const Vec3& p, const Vec3& q, Box3& to) const {
+  const double from = glm::dot(way_, p), until = glm::dot(way_, q);
+  if (!leaves_out(from)) to.add(p);
+  for (const PaperBreaks::Band& band : bands_) {
+    for (const double side : {band.low, band.high}) {
+      if ((from < side) != (until < side)) to.add(glm::mix(p, q, (side - from) / (until - from)));
+    }
+  }
+}
+
+MeasuredParts measured_parts(const Scene& scene, const std::vector<bool>& drawn) {
+  MeasuredParts out;
+  out.tolerance = kReachFine * scene.bounds(Mat3(1)).diagonal();
+  RealiseOptions options;
+  options.tolerance = out.tolerance;
+  options.curvature = false;
+  RunContext context;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (!drawn[i]) continue;
+    try {
+      out.surfaces.push_back(scene.parts[i].form->realise(options, context));
+    } catch (const GeometryError&) {
+      continue;  // nothing of the part is left, or it cannot be drawn, which is told elsewhere
+    }
   }
   return out;
 }

@@ -11,10 +11,21 @@
 #include <burin/surface/scene.h>
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace burin::detail {
+
+/// Parts as they are measured.
+struct MeasuredParts {
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  /// Model mm.
+  double tolerance = 0;
+};
+
+/// Those that are drawn. `drawn`: one a part. Cost: realising them.
+MeasuredParts measured_parts(const Scene& scene, const std::vector<bool>& drawn);
 
 /// What a view leaves out. In views at a slant to the axis this is less than in others: what shows
 /// nothing but the stretch.
@@ -35,10 +46,10 @@ class BrokenAs {
   PaperBreaks on_paper(const Camera& camera, const ViewOptions& view) const;
   /// Moves a dimension to where the view shows something of what it measures; false where it shows
   /// nothing of it.
-  bool put_where_seen(Dimension& dimension) const;
-  /// Whether what is left of parts reaches both ends of them along x, y and z. `drawn`: one a part.
-  /// Cost: realising them, and a look at each triangle.
-  std::array<bool, 3> reaches(const Scene& scene, const std::vector<bool>& drawn) const;
+  bool put_where_seen(Dimension& one) const;
+  /// Whether what is left of parts reaches both ends of them along x, y and z. Cost: a look at each
+  /// triangle.
+  std::array<bool, 3> reaches(const MeasuredParts& parts) const;
   /// Dimensions of what is left at a scale, about the middle of the shortened view.
   ViewDimensions moved(const ViewDimensions& dimensions, double scale) const;
   /// The same where `breaks` take what the camera shows.
@@ -54,6 +65,7 @@ class BrokenAs {
   bool leaves_out(const Vec3& p) const { return leaves_out(glm::dot(way_, p)); }
   std::pair<double, double> longest_left(double low, double high) const;
   std::vector<Vec3> seen_of(const std::vector<Vec3>& points) const;
+  void add_left(const Vec3& p, const Vec3& q, Box3& to) const;
 
   /// Of the model, unit; how long it is on paper; its way there and that in the model.
   Vec3 axis_{1, 0, 0};

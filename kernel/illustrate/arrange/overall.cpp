@@ -145,7 +145,7 @@ std::vector<OverallShares> share_overall(Scene& scene, const Illustration& illus
       shares[view][static_cast<std::size_t>(axis)] = true;
     } else {
       const bool left_out = view_of(views, axis, true) < views.size();
-      not_drawn(axis, left_out ? "the break leaves out what is that wide"
+      not_drawn(axis, left_out ? "the break leaves out one of its ends"
                                : "no view of the sheet shows it");
     }
   }

@@ -101,9 +101,10 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
     return;
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
-  if (overall) {
-    const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
-    for (SheetView& view : views_) view.reaches = view.broken.reaches(scene, drawn);
+  if (overall && std::ranges::any_of(views_, [](const auto& one) { return !one.broken.empty(); })) {
+    const MeasuredParts parts =
+        measured_parts(scene, drawn_parts(scene, illustration.illustrate.part_styles));
+    for (SheetView& view : views_) view.reaches = view.broken.reaches(parts);
   }
   deal(scene, illustration);
   keep_clear_of_annotations(scene, illustration);
