@@ -72,7 +72,7 @@ def _in_source(found, path, source):
         return name, found.shape
     inside = source.partition(".")[2]
     whole = _whole(found.top, inside + "." if inside else "")
-    name = kept.like(whole, kept.split(name)[0], kept.print_of(found.shape))
+    name = kept.in_other(whole, name, kept.print_of(found.shape))
     if not name:
         raise _gone(found.top, found.sub)
     return name, kept.element(whole, name)

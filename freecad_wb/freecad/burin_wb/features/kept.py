@@ -63,6 +63,14 @@ def find(shape, kept, place):
     return like(shape, kind, kept["like"]) or kept["name"]
 
 
+def in_other(shape, name, wanted):
+    """The name of an element in a shape of the same coordinates, most often the one that it has. Empty as `like`."""
+    there = element(shape, name)
+    if there is not None and _is_equal(print_of(there), wanted, _near(shape), _near(shape) * _size(shape)):
+        return name
+    return like(shape, split(name)[0], wanted)
+
+
 def like(shape, kind, wanted):
     """The only element that lies there on the same surface, curve or point, else the only one there of the same size and middle: a
     chamfer beside a face leaves it where it is. Empty where there is none, or several."""
