@@ -159,12 +159,12 @@ TEST(CentreLines, AHoleSeenAlongItsAxisHasTwoLinesThatCross) {
 // Two flats take the round off on two sides, as those of a nut do.
 TEST(CentreLines, MarksGoOverTheOutlineWhereItsCircleIsCutAway) {
   const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(10, 4).Shape();
-  const TopoDS_Shape flats = BRepPrimAPI_MakeBox(gp_Pnt(-20, -7, -1), gp_Pnt(20, 7, 5)).Shape();
+  const TopoDS_Shape flats = BRepPrimAPI_MakeBox(gp_Pnt(-20, -8, -1), gp_Pnt(20, 8, 5)).Shape();
   const Drawn d = drawn({BRepAlgoAPI_Common(pin, flats).Shape()}, kZ, kY);
   ASSERT_EQ(d.lines.size(), 2U);
   for (const Curve3& line : d.lines) {
     const Vec2 way = d.camera.to_paper(line.points[1]) - d.camera.to_paper(line.points[0]);
-    const double reach = std::abs(way.x) > std::abs(way.y) ? 10 : 7;
+    const double reach = std::abs(way.x) > std::abs(way.y) ? 10 : 8;
     EXPECT_NEAR(glm::length(way), 2 * (reach * d.camera.scale() + 2.5), 0.01);
   }
 }
