@@ -55,7 +55,8 @@ TEST(DimensionLayout, PrefersTheShorterWayOverThePart) {
 /// Wherever a hole is: half a wide line and as much again between letters and the outline.
 TEST(DimensionLayout, KeepsLettersOffTheOutline) {
   for (int k = 0; k < 40; ++k) {
-    const double x = 8 + 84.0 * (k % 8) / 7, z = -10 + 5.0 * (k / 8);
+    const int row = k / 8, column = k % 8;
+    const double x = 8 + 84.0 * column / 7, z = -10 + 5.0 * row;
     Dimension hole;
     hole.kind = Dimension::Kind::Round;
     hole.from = {x, 0, z};
