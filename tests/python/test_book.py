@@ -92,8 +92,8 @@ class Books(unittest.TestCase):
 
         self.assertEqual(unused(), [])
         self.assertEqual(unused(legend=True), ["legend has no effect on a step book"])
-        self.assertEqual(unused(views=["front", "top"], legend=True, center=(0, 0, 0)),
-                         ["views, legend, center have no effect on a step book"])
+        self.assertEqual(unused(views=["front", "top"], legend=True),
+                         ["views, legend have no effect on a step book"])
         with self.assertRaisesRegex(burin.UsageError, "session is for draw"):
             burin.steps(scene, session=burin.Session())
 
