@@ -83,9 +83,10 @@ class SectionViews(Case):
         obj = self.sheet(self.cut())
         lid = self.doc.Lid
         hole = next(f"Face{k}" for k, face in enumerate(lid.Shape.Faces, 1) if face.findPlane() is None)
-        one = make_dimension(obj, [(lid, hole)], "Depth", View="A-A")
+        one = make_dimension(obj, [(lid, hole)], "Diameter", View="A-A")
         self.doc.recompute()
-        self.assertEqual((obj.Message, one.Message, "6" in self.texts(obj)), ("", "", True))
+        text = f"\u2300{2 * lid.getSubObject(hole).Surface.Radius:g}"
+        self.assertEqual((obj.Message, one.Message, text in self.texts(obj)), ("", "", True))
 
     def test_step_books_and_steps_have_none(self):
         obj = self.sheet(self.cut(), section.plane(V(1, 0, 0), 30))
