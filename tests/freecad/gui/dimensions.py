@@ -27,6 +27,7 @@ class Annotations(Case):
     def setUp(self):
         super().setUp()
         self.obj.Width, self.obj.Height, self.obj.Margin, self.obj.Views = 297, 210, 10, ["front", "top"]
+        self.obj.HiddenLines = "Dashed"  # a bolt is in the hole that is measured
         self.document.recompute()
         support.drawn()
         self.undos = self.document.UndoCount
