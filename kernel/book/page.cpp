@@ -68,6 +68,8 @@ void add_turn_symbol(Vec2 middle, Layer& layer) {
   }
 }
 
+bool has_room(const Box2& box) { return box.size().x > 0 && box.size().y > 0; }
+
 class Page {
  public:
   Page(const PageMaker& maker, const BuildStep& step, std::size_t number)
@@ -91,15 +93,17 @@ class Page {
     beside.max = {plan.grid.box.min.x - kApart, frame.max.y - head.y - kApart};
     plan.fitted = 0;
     const Paper& paper = maker_.book.view.paper;
+    const IllustrateOptions drawn = drawn_at(plan);
+    Annotations over = plan.over;
     for (const Box2& rest : {below, beside}) {
-      if (rest.size().x <= 0 || rest.size().y <= 0) continue;
-      PagePlan one = plan;
-      one.over.margin = margin_about(rest, paper);
-      one.box = inside(paper, annotation_margin(one.over, maker_.style.callout, paper));
-      if (one.box.size().x <= 0 || one.box.size().y <= 0) continue;
-      const ViewOptions view = view_of(one.look, one.box);
-      one.fitted = camera_in(one.scenery.scene, drawn_at(one), view).scale();
-      if (one.fitted > plan.fitted) plan = std::move(one);
+      over.margin = margin_about(rest, paper);
+      const Box2 box = inside(paper, annotation_margin(over, maker_.style.callout, paper));
+      if (!has_room(rest) || !has_room(box)) continue;
+      const double fitted = camera_in(plan.scenery.scene, drawn, view_of(plan.look, box)).scale();
+      if (fitted <= plan.fitted) continue;
+      plan.over.margin = over.margin;
+      plan.box = box;
+      plan.fitted = fitted;
     }
     if (plan.fitted <= 0) {
       throw UsageError(

@@ -66,7 +66,7 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
   c.up_ = glm::cross(c.direction_, c.right_);
   c.offset_ = 0.5 * Vec2(options.paper.width, options.paper.height);
 
-  const Box3 box = extent(glm::transpose(Mat3(c.right_, c.up_, c.direction_)));
+  const Box3 box = extent(c.axes());
   if (box.empty()) throw GeometryError("nothing to draw: the model has no points");
   const Vec3 size = box.size();
   if (!std::isfinite(size.x + size.y + size.z)) {

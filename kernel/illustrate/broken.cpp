@@ -23,7 +23,7 @@ Camera whole_camera(const Scene& scene, const PlacedView& view, const Style& sty
   if (view.breaks.empty()) return view.camera;
   constexpr double kAround = 20;  // paper mm: lines beside the parts, such as ends of centre lines
   const Camera& camera = view.camera;
-  const Mat3 axes = glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
+  const Mat3 axes = camera.axes();
   const ViewOptions sides{.direction = camera.direction(), .up = camera.up()};
   const Box3 extent = extent_with_shadow(scene, style, options.part_styles, sides)(axes);
   Box2 box;

@@ -60,11 +60,15 @@ std::string angle_text(double degrees, const DimensionOptions& style) {
   return number_text(degrees, style) + "\u00b0";
 }
 
+bool is_seen_square(const Mat3& axes, Vec3 length) {
+  constexpr double kSquare = 1e-6;
+  return glm::length(Vec2(axes * length)) > (1 - kSquare) * glm::length(length);
+}
+
 void lay_dimensions(Drawing& drawing, const Camera& camera, const ViewDimensions& dimensions,
                     const DimensionOptions& style) {
   if (dimensions.list.empty() || camera.perspective()) return;
-  const PaperView view{glm::transpose(Mat3(camera.right(), camera.up(), camera.direction())),
-                       camera.scale(), camera.to_paper(Vec3(0))};
+  const PaperView view{camera.axes(), camera.scale(), camera.to_paper(Vec3(0))};
   Layer layer = lay_out(dimensions, view, style, &drawing).layer;
   const Box2 sheet{Vec2(0), {drawing.paper_width, drawing.paper_height}};
   const auto cut = std::ranges::count_if(layer.texts, [&](const Text& text) {

@@ -1,5 +1,6 @@
 #include "layout.h"
 
+#include <burin/base/box_corners.h>
 #include <burin/drawing/font.h>
 #include <burin/planar/convex_hull.h>
 
@@ -103,11 +104,7 @@ std::vector<Vec2> outline_of(const Box3& about, const std::vector<std::vector<Ve
   for (const std::vector<Vec2>& line : beside) {
     corners.insert(corners.end(), line.begin(), line.end());
   }
-  for (int corner = 0; corner < 8; ++corner) {
-    corners.push_back(view.at({(corner & 1) != 0 ? about.max.x : about.min.x,
-                               (corner & 2) != 0 ? about.max.y : about.min.y,
-                               (corner & 4) != 0 ? about.max.z : about.min.z}));
-  }
+  for (const Vec3& corner : corners_of(about)) corners.push_back(view.at(corner));
   return convex_hull(std::move(corners));
 }
 

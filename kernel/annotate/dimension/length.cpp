@@ -38,12 +38,6 @@ bool is_at_right(NumberAt number) {
 bool is_at_left(NumberAt number) { return number == NumberAt::Left || number == NumberAt::FarLeft; }
 bool is_within(NumberAt number) { return !is_at_right(number) && !is_at_left(number); }
 
-/// Whether a direction is as long on paper as it is.
-bool lies_in_sheet(const PaperView& view, Vec3 along) {
-  constexpr double kSquare = 1e-6;
-  return glm::length(Vec2(view.axes * along)) > 1 - kSquare;
-}
-
 /// A length with its line on one side.
 class LengthSide {
  public:
@@ -59,7 +53,7 @@ class LengthSide {
     across_ = std::abs(cross2(along_, way_));
     const Vec2 side(-along_.y, along_.x);
     outwards_ = glm::dot(side, way_) < 0 ? -side : side;
-    upwards_ = std::abs(outwards.z) > 1 - 1e-6 && !lies_in_sheet(ground.view, outwards);
+    upwards_ = std::abs(outwards.z) > 1 - 1e-6 && !is_seen_square(ground.view.axes, outwards);
     deep_ = -ground.view.scale * glm::dot(glm::transpose(ground.view.axes)[2], ends.from);
     square_ = across_ > 1 - 1e-6;
     exit_ = exit_of(from_, to_, way_, ground.outline);
@@ -219,7 +213,7 @@ std::vector<Vec3> ways_of(const Dimension& dimension, Vec3 along, const PaperVie
     if (glm::length(across) < kSeen) return;
     for (const double sign : {-1.0, 1.0}) ways.push_back(sign * glm::normalize(across));
   };
-  if (lies_in_sheet(view, along)) {
+  if (is_seen_square(view.axes, along)) {
     add(glm::cross(glm::transpose(view.axes)[2], along));
   } else {
     for (int k = 0; k < 3; ++k) {
@@ -234,7 +228,7 @@ std::vector<Vec3> ways_of(const Dimension& dimension, Vec3 along, const PaperVie
 /// Where both ends have points side by side: those farthest out, so that lines are short.
 std::vector<Ends> ends_of(const Dimension& dimension, Vec3 along, Vec3 way, const PaperView& view) {
   const Ends own{dimension.from, dimension.to};
-  if (lies_in_sheet(view, along) || dimension.from_points.empty()) return {own};
+  if (is_seen_square(view.axes, along) || dimension.from_points.empty()) return {own};
   const Vec3 side = glm::cross(along, way);
   const double near = 1e-6 * glm::distance(own.from, own.to);
   std::vector<Ends> out;

@@ -25,9 +25,15 @@ constexpr double kFinerPass = 64;
 // Triangles that are divided again on each side of the box.
 constexpr std::size_t kMostFarthest = 4;
 
+/// Triangles with the patches and facets that they are of.
+struct Triangles {
+  const TriMesh& mesh;
+  const std::vector<std::int32_t>&patch, &facet;
+};
+
 /// The marked triangles, with all around them: corners are placed on all surfaces that meet there.
 /// The faces of the result are 1 and 0.
-FacetMesh with_neighbours(const FacetMesh& from, const std::vector<std::uint8_t>& marked) {
+FacetMesh with_neighbours(const Triangles& from, const std::vector<std::uint8_t>& marked) {
   const std::size_t n = from.mesh.triangles.size();
   std::vector<std::uint8_t> at_corner(from.mesh.positions.size(), 0);
   for (std::size_t t = 0; t < n; ++t) {
@@ -56,24 +62,13 @@ FacetMesh with_neighbours(const FacetMesh& from, const std::vector<std::uint8_t>
   return out;
 }
 
-/// The facets as they were read.
-FacetMesh as_read(const TriMesh& mesh, const Recognised& round, const Facets& facets) {
-  FacetMesh out;
-  out.mesh = mesh;
-  out.facet = facets.of;
-  for (const std::int32_t facet : facets.of) {
-    out.patch.push_back(round.patch_of[static_cast<std::size_t>(facet)]);
-  }
-  return out;
-}
-
 std::array<Vec3, 6> rows_both_ways(const Mat3& axes) {
   const Mat3 rows = glm::transpose(axes);
   return {rows[0], -rows[0], rows[1], -rows[1], rows[2], -rows[2]};
 }
 
 /// Round facets whose surface may stick out of the box.
-std::vector<std::uint8_t> may_stick_out(const FacetMesh& from, const Recognised& round,
+std::vector<std::uint8_t> may_stick_out(const Triangles& from, const Recognised& round,
                                         const Box3& box, const Mat3& axes) {
   const Mat3 rows = glm::transpose(axes);
   const Vec3 stretch(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
@@ -128,7 +123,12 @@ std::vector<std::uint8_t> farthest(const FacetMesh& from, const Mat3& axes, doub
 
 void add_outermost(Box3& box, const Mat3& axes, const TriMesh& mesh, const Recognised& round,
                    const Facets& facets, double tolerance, const RunContext& context) {
-  const FacetMesh read = as_read(mesh, round, facets);
+  std::vector<std::int32_t> patch;
+  patch.reserve(facets.of.size());
+  for (const std::int32_t facet : facets.of) {
+    patch.push_back(round.patch_of[static_cast<std::size_t>(facet)]);
+  }
+  const Triangles read{mesh, patch, facets.of};
   FacetMesh finer = with_neighbours(read, may_stick_out(read, round, box, axes));
   for (int pass = 0; pass < kOutermostPasses && !finer.mesh.triangles.empty(); ++pass) {
     const std::size_t corners = finer.mesh.positions.size();
@@ -139,7 +139,8 @@ void add_outermost(Box3& box, const Mat3& axes, const TriMesh& mesh, const Recog
         if (v >= corners) box.add(axes * finer.mesh.positions[v]);
       }
     }
-    finer = with_neighbours(finer, farthest(finer, axes, tolerance));
+    finer =
+        with_neighbours({finer.mesh, finer.patch, finer.facet}, farthest(finer, axes, tolerance));
     tolerance /= kFinerPass;
   }
 }

@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/illustrate/illustrate.h>
 
+#include "realised_forms.h"
 #include "uniform_stretches.h"
 
 #include <fmt/format.h>
@@ -78,7 +79,20 @@ class BreakFinder {
     return out;
   }
 
+  /// Those that are drawn; realised when they are first asked for.
+  const std::shared_ptr<const detail::MeasuredParts>& shared_parts() {
+    if (!parts_) {
+      detail::RealisedForms forms(scene_.bounds(Mat3(1)).diagonal(), context_);
+      const std::vector<bool> drawn = drawn_parts(scene_, illustration_.illustrate.part_styles);
+      parts_ = std::make_shared<const detail::MeasuredParts>(
+          detail::MeasuredParts{detail::surfaces_of(scene_, drawn, forms), forms.tolerance()});
+    }
+    return parts_;
+  }
+
  private:
+  const detail::MeasuredParts& parts() { return *shared_parts(); }
+
   void settle_axis() {
     const Vec3 longest = longest_axis(box_);
     axis_ = illustration_.breaks.front().axis.value_or(longest);
@@ -122,9 +136,7 @@ class BreakFinder {
 
   void add_found(const Break& one, std::vector<BreakRange>& to) {
     bool any = false;
-    const std::vector<bool> drawn = drawn_parts(scene_, illustration_.illustrate.part_styles);
-    const std::vector<detail::UniformStretch> uniform =
-        detail::uniform_stretches(scene_, drawn, axis_, context_);
+    const std::vector<detail::UniformStretch> uniform = detail::uniform_stretches(parts(), axis_);
     for (const detail::UniformStretch& found : uniform) {
       const double length = found.high - found.low, kept = kKeptOfWidth * found.width;
       const BreakRange stretch{found.low + kept, found.high - kept};
@@ -167,6 +179,7 @@ class BreakFinder {
   Scene& scene_;
   const Illustration& illustration_;
   RunContext& context_;
+  std::shared_ptr<const detail::MeasuredParts> parts_;
   Box3 box_;
   Vec3 axis_{1, 0, 0};
   BreakRange whole_;
@@ -176,8 +189,13 @@ class BreakFinder {
 
 void find_breaks(Scene& scene, Illustration& illustration, RunContext& context) {
   illustration.left_out = {};
+  illustration.left_parts.reset();
   if (illustration.breaks.empty()) return;
-  illustration.left_out = BreakFinder(scene, illustration, context).run();
+  BreakFinder finder(scene, illustration, context);
+  illustration.left_out = finder.run();
+  if (illustration.overall_dimensions && !illustration.left_out.empty()) {
+    illustration.left_parts = finder.shared_parts();
+  }
 }
 
 }  // namespace burin

@@ -1,4 +1,3 @@
-#include <burin/base/error.h>
 #include <burin/mesh/proxy_mesh.h>
 
 #include "broken_view.h"
@@ -13,9 +12,6 @@ namespace {
 constexpr double kRounding = 1e-6;
 /// Sine within which a length is across the way that a view becomes shorter.
 constexpr double kAcross = 1e-6;
-/// Of the diagonal of what is drawn: how finely parts are realised; round ones are less than twice
-/// that shorter than they are.
-constexpr double kReachFine = 2e-4;
 
 using Range = std::pair<double, double>;
 
@@ -92,6 +88,7 @@ std::array<bool, 3> BrokenAs::reaches(const MeasuredParts& parts) const {
   if (empty()) return out;
   Box3 whole, left;
   for (const std::shared_ptr<const Surface>& surface : parts.surfaces) {
+    if (!surface) continue;
     const TriMesh& mesh = surface->proxy().mesh;
     for (const Triangle& triangle : mesh.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -101,6 +98,7 @@ std::array<bool, 3> BrokenAs::reaches(const MeasuredParts& parts) const {
       }
     }
   }
+  // Round parts are less than twice that shorter than they are.
   const double near = 2 * parts.tolerance + kRounding;
   for (int k = 0; k < 3; ++k) {
     out[static_cast<std::size_t>(k)] =
@@ -118,24 +116,6 @@ void BrokenAs::add_left(const Vec3& p, const Vec3& q, Box3& to) const {
       if ((from < side) != (until < side)) to.add(glm::mix(p, q, (side - from) / (until - from)));
     }
   }
-}
-
-MeasuredParts measured_parts(const Scene& scene, const std::vector<bool>& drawn) {
-  MeasuredParts out;
-  out.tolerance = kReachFine * scene.bounds(Mat3(1)).diagonal();
-  RealiseOptions options;
-  options.tolerance = out.tolerance;
-  options.curvature = false;
-  RunContext context;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (!drawn[i]) continue;
-    try {
-      out.surfaces.push_back(scene.parts[i].form->realise(options, context));
-    } catch (const GeometryError&) {
-      continue;  // nothing of the part is left, or it cannot be drawn, which is told elsewhere
-    }
-  }
-  return out;
 }
 
 }  // namespace burin::detail

@@ -1,6 +1,7 @@
 #include "broken_view.h"
 
 #include <burin/assembly/select.h>
+#include <burin/base/box_corners.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "wanted_views.h"
@@ -143,12 +144,7 @@ class BrokenAs::Mover {
 
   Box3 moved(const Box3& box) const {
     Box3 out;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p((corner & 1) != 0 ? box.max.x : box.min.x,
-                   (corner & 2) != 0 ? box.max.y : box.min.y,
-                   (corner & 4) != 0 ? box.max.z : box.min.z);
-      out.add(p + shift(p));
-    }
+    for (const Vec3& p : corners_of(box)) out.add(p + shift(p));
     return out;
   }
 

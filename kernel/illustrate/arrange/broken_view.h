@@ -10,22 +10,14 @@
 #include <burin/illustrate/sheet.h>
 #include <burin/surface/scene.h>
 
+#include "uniform_stretches.h"
+
 #include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace burin::detail {
-
-/// Parts as they are measured.
-struct MeasuredParts {
-  std::vector<std::shared_ptr<const Surface>> surfaces;
-  /// Model mm.
-  double tolerance = 0;
-};
-
-/// Those that are drawn. `drawn`: one a part. Cost: realising them.
-MeasuredParts measured_parts(const Scene& scene, const std::vector<bool>& drawn);
 
 /// What a view leaves out. In views at a slant to the axis this is less than in others: what shows
 /// nothing but the stretch.

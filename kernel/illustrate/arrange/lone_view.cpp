@@ -103,9 +103,10 @@ Camera lone_camera(const Camera::ExtentFn& extent, const Illustration& illustrat
 
 SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration) {
   SheetOfViews sheet;
-  const BrokenAs broken(scene, illustration, illustration.view);
+  SheetView alone = lone_view(scene, illustration);
+  const BrokenAs broken = alone.broken;
   Margin room = broken.room();
-  const SheetDimensions measured(scene, illustration, {lone_view(scene, illustration)});
+  const SheetDimensions measured(scene, illustration, {std::move(alone)});
   ViewDimensions dimensions = measured.of_view(0, Margin(0));
   const Camera::ExtentFn extent = broken.shortened(
       with_measured(extent_of(scene, illustration, illustration.view), dimensions));

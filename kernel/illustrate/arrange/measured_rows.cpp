@@ -292,25 +292,21 @@ std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
   return out;
 }
 
-void tell(Scene& scene, const DimensionRow& row, std::size_t number, const char* code,
-          const std::string& what) {
-  MeasuredRow one;
-  one.row = row;
-  one.number = number;
-  scene.diagnostics.add(Severity::Warning, code, 1,
-                        fmt::format("{}{} {}", row.place, called(one), what));
-}
-
 /// Nothing where a feature lost its place or has no depth, which is told.
 std::optional<MeasuredRow> measured_row(Scene& scene, Measurer& measurer, const DimensionRow& row,
                                         std::size_t number) {
+  const auto tell = [&](const char* code, const std::string& what) {
+    MeasuredRow one;
+    one.row = row;
+    one.number = number;
+    tell_of(one, code, what, scene.diagnostics);
+  };
   try {
     return measurer.measured(row, number);
   } catch (const LostPlace& e) {
-    tell(scene, row, number, "dimensions.lost",
-         fmt::format("lost its place and is not drawn: {}", e.what()));
+    tell("dimensions.lost", fmt::format("lost its place and is not drawn: {}", e.what()));
   } catch (const NoDepth& e) {
-    tell(scene, row, number, "dimensions.not_drawn", fmt::format("is not drawn: {}", e.what()));
+    tell("dimensions.not_drawn", fmt::format("is not drawn: {}", e.what()));
   }
   return std::nullopt;
 }
@@ -319,6 +315,12 @@ std::optional<MeasuredRow> measured_row(Scene& scene, Measurer& measurer, const 
 
 std::string called(const MeasuredRow& row) {
   return fmt::format("dimension {} ({})", row.number, to_string(row.row.kind));
+}
+
+void tell_of(const MeasuredRow& row, const char* code, const std::string& what,
+             Diagnostics& diagnostics) {
+  diagnostics.add(Severity::Warning, code, 1,
+                  fmt::format("{}{} {}", row.row.place, called(row), what));
 }
 
 void measure_rows(Scene& scene, Illustration& illustration, RunContext& context) {
@@ -355,9 +357,8 @@ void move_rows(Scene& scene, Illustration& illustration, const std::vector<Vec3>
     for (const std::size_t part : row.parts) {
       const Vec3 move = part == MeasuredRow::kNoPart ? Vec3(0) : moves[part];
       if (moved && glm::distance(*moved, move) > 0) {
-        scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
-                              fmt::format("{}{} is not drawn: its parts have come apart",
-                                          row.row.place, called(row)));
+        tell_of(row, "dimensions.not_drawn", "is not drawn: its parts have come apart",
+                scene.diagnostics);
         return true;
       }
       moved = move;

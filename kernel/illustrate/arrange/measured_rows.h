@@ -12,6 +12,9 @@ namespace burin::detail {
 
 /// "dimension 2 (diameter)".
 std::string called(const MeasuredRow& row);
+/// Warns of a row: `what` follows its name.
+void tell_of(const MeasuredRow& row, const char* code, const std::string& what,
+             Diagnostics& diagnostics);
 
 /// Fills `Illustration::measured` once it is known which parts are drawn, before they are cut or
 /// moved. Throws UsageError where a row names what is not there or cannot be measured so.

@@ -1,5 +1,6 @@
 #include "overall.h"
 
+#include <burin/base/box_corners.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <fmt/format.h>
@@ -29,10 +30,7 @@ Vec3 unit(int axis) {
 }
 
 /// Whether a length is seen as long as it is, and whether it is seen at all.
-bool is_square(const SheetView& view, int axis) {
-  constexpr double kSquare = 1e-6;
-  return glm::length(on_paper(view.as.axes, unit(axis))) > 1 - kSquare;
-}
+bool is_square(const SheetView& view, int axis) { return is_seen_square(view.as.axes, unit(axis)); }
 bool is_seen(const SheetView& view, int axis) {
   constexpr double kLeast = 0.2;  // 12 degrees from the line of sight
   return glm::length(on_paper(view.as.axes, unit(axis))) > kLeast;
@@ -63,10 +61,7 @@ bool is_outside(const Box3& box, const Mat3& axes, Vec2 place) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2 along = on_paper(axes, unit(axis)), across(-along.y, along.x);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p((corner & 1) != 0 ? box.max.x : box.min.x,
-                   (corner & 2) != 0 ? box.max.y : box.min.y,
-                   (corner & 4) != 0 ? box.max.z : box.min.z);
+    for (const Vec3& p : corners_of(box)) {
       const double at = glm::dot(across, on_paper(axes, p));
       low = std::min(low, at), high = std::max(high, at);
     }

@@ -136,8 +136,9 @@ class SheetPlanner {
   }
 
   /// What a view shows, with what it measures.
-  Camera::ExtentFn shown_in(const ViewOptions& view, const ViewDimensions& measured) const {
-    return broken_as(view).shortened(with_measured(extent(view), measured));
+  Camera::ExtentFn shown_in(const ViewOptions& view, const detail::BrokenAs& broken,
+                            const ViewDimensions& measured) const {
+    return broken.shortened(with_measured(extent(view), measured));
   }
 
   /// Whether the circles about what is drawn again lie in the box of their view.
@@ -176,20 +177,19 @@ class SheetPlanner {
   }
 
   /// A camera whose picture stands in the middle of a box.
-  Camera in_box(ViewOptions view, const Box2& box, const ViewDimensions& measured) const {
+  Camera in_box(ViewOptions view, const Box2& box, const Camera::ExtentFn& shown) const {
     const Paper sheet = view.paper;
     view.paper = {box.size().x, box.size().y};
-    const Camera::ExtentFn shown = shown_in(view, measured);
     const SheetOptions whole{.margin = Margin(0), .iso_scale = illustration_.sheet.iso_scale};
     return Camera::fit(shown, settle(shown, view, whole)).on_sheet(sheet, box.min);
   }
 
   /// A camera of a given scale whose picture has its middle there.
-  Camera on_middle(ViewOptions view, Vec2 middle, const ViewDimensions& measured) const {
+  static Camera on_middle(ViewOptions view, Vec2 middle, const Camera::ExtentFn& shown) {
     const Paper sheet = view.paper;
     const Vec2 half(0.5 * sheet.width, 0.5 * sheet.height);
     view.margin = 0;
-    return Camera::fit(shown_in(view, measured), view).on_sheet(sheet, middle - half);
+    return Camera::fit(shown, view).on_sheet(sheet, middle - half);
   }
 
   void place_one() {
@@ -197,13 +197,13 @@ class SheetPlanner {
     const detail::BrokenAs broken = broken_as(illustration_.view);
     Margin room = broken.room();
     PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, measured_->of_view(0, Margin(0))};
-    const Mat3 axes = detail::axes_of(illustration_.view);
-    const Box3 shown = shown_in(illustration_.view, view.dimensions)(axes);
+    const Camera::ExtentFn extent_of_it = shown_in(illustration_.view, broken, view.dimensions);
+    const Box3 shown = extent_of_it(detail::axes_of(illustration_.view));
     for (int round = 0; round < kMostRounds; ++round) {
       view.camera = in_box(illustration_.view,
                            {frame_.min + callouts + Vec2(room.left, room.bottom),
                             frame_.max - callouts - Vec2(room.right, room.top)},
-                           view.dimensions);
+                           extent_of_it);
       const double scale = view.camera.scale();
       const Margin needed = measured_->room(0, broken.moved(view.dimensions, scale), shown, scale);
       if (detail::holds(room, needed)) break;
@@ -226,6 +226,7 @@ class SheetPlanner {
       frame.min.y += projection_symbol_size().y + 0.5 * kBetweenViews;
     }
     std::vector<ViewDimensions> dimensions;
+    std::vector<Camera::ExtentFn> extents;
     std::vector<Box3> shown;
     std::vector<GridView> grid_views;
     std::vector<detail::BrokenAs> broken;
@@ -235,7 +236,8 @@ class SheetPlanner {
       GridView view{wanted.stands_as, Vec2(0), wanted.room};
       dimensions.push_back(measured_->of_view(dimensions.size(), view.room));
       broken.push_back(broken_as(wanted.view));
-      shown.push_back(shown_in(wanted.view, dimensions.back())(detail::axes_of(wanted.view)));
+      extents.push_back(shown_in(wanted.view, broken.back(), dimensions.back()));
+      shown.push_back(extents.back()(detail::axes_of(wanted.view)));
       view.size = {shown.back().size().x, shown.back().size().y};
       view.room = sum(view.room, broken.back().room());
       if (grid_views.size() == numbered) {
@@ -276,7 +278,7 @@ class SheetPlanner {
       const Vec2 half = 0.5 * grid.scale * grid_views[i].size + Vec2(gaps.right, gaps.top);
       const Vec2 middle = grid.middles[i];
       const Box2 drawn{middle - half, middle + half};
-      PlacedView placed{views_[i].name, on_middle(view, middle, dimensions[i]), grid.boxes[i]};
+      PlacedView placed{views_[i].name, on_middle(view, middle, extents[i]), grid.boxes[i]};
       placed.callouts = i == numbered;
       placed.none_hidden = views_[i].none_hidden;
       placed.dimensions = std::move(dimensions[i]);
@@ -302,10 +304,9 @@ class SheetPlanner {
   void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
-    const Vec3 size =
-        broken_as(first_view())
-            .shortened(extent_of(scene_, illustration_, first_view()))(detail::axes_of(main))
-            .size();
+    const Vec3 size = broken_as(first_view())
+                          .shortened(extent_of(scene_, illustration_, first_view()))(main.axes())
+                          .size();
     const double drawn = main.scale() * std::max(size.x, size.y);
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });

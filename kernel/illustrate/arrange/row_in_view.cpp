@@ -19,6 +19,10 @@ constexpr double kWhole = 350;
 
 enum Rank { Best, Second, Hidden, HiddenSecond, Oblique, HiddenOblique };
 
+Rank rank_of(bool square, bool seen) {
+  return square ? (seen ? Best : Hidden) : (seen ? Oblique : HiddenOblique);
+}
+
 struct Shown {
   const MeasuredRow& row;
   const MeasuringView& view;
@@ -154,7 +158,7 @@ std::optional<RowInView> distance_in(const Shown& shown) {
   const bool square = shown.in_sheet(d.along);
   if (!square && (!shown.pictorial() || shown.end_on(d.along))) return std::nullopt;
   const Vec3 by = shown.row.moved;
-  out.rank = (square ? Best : Oblique) + (shown.all_seen() ? 0 : square ? Hidden : 1);
+  out.rank = rank_of(square, shown.all_seen());
   Dimension& one = out.dimension;
   one.from = end_at(shown.row.of[0], d.from, shown) + by;
   // What lies across the distance is where extension lines begin, not where the line ends.
@@ -286,7 +290,7 @@ std::optional<RowInView> radius_in(const Shown& shown) {
   RowInView out;
   out.dimension = round(near_middle(f, shown), f.along, middle_of(f, f.along, f.point), f.turn);
   if (!square) end_where_seen(shown, out.dimension);
-  out.rank = (square ? Best : Oblique) + (shown.seen(0) ? 0 : square ? Hidden : 1);
+  out.rank = rank_of(square, shown.seen(0));
   return out;
 }
 

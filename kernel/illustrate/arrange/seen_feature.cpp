@@ -1,6 +1,5 @@
 #include "seen_feature.h"
 
-#include <burin/base/error.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/surface/empty_surface.h>
 
@@ -93,17 +92,13 @@ std::vector<std::shared_ptr<const Surface>> hiding(const Scene& scene,
                                                    const std::vector<PartStyle>& styles,
                                                    RunContext& context) {
   RealisedForms forms(drawn_bounds(scene, styles).diagonal(), context);
-  const std::vector<bool> drawn = drawn_parts(scene, styles);
-  std::vector<std::shared_ptr<const Surface>> out;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    const bool glass = i < styles.size() && styles[i].transparent;
-    out.push_back(empty_surface());
-    if (!drawn[i] || glass) continue;
-    try {
-      out.back() = forms.surface(scene.parts[i].form);
-    } catch (const GeometryError&) {
-      continue;  // told by the drawing
-    }
+  std::vector<bool> hides = drawn_parts(scene, styles);
+  for (std::size_t i = 0; i < hides.size() && i < styles.size(); ++i) {
+    hides[i] = hides[i] && !styles[i].transparent;
+  }
+  std::vector<std::shared_ptr<const Surface>> out = surfaces_of(scene, hides, forms);
+  for (auto& one : out) {
+    if (!one) one = empty_surface();
   }
   return out;
 }

@@ -51,12 +51,6 @@ void shrink(double& a, double& b, double most) {
   b *= share;
 }
 
-/// Whether a length is seen as long as it is.
-bool is_square(const Mat3& axes, Vec3 gap) {
-  constexpr double kSquare = 1e-6;
-  return glm::length(Vec2(axes * gap)) > (1 - kSquare) * glm::length(gap);
-}
-
 /// What a user may do to see a row.
 std::string advice(const MeasuredRow& row, const FeatureSight& sight,
                    const DimensionOptions& style) {
@@ -101,10 +95,8 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
     return;
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
-  if (overall && std::ranges::any_of(views_, [](const auto& one) { return !one.broken.empty(); })) {
-    const MeasuredParts parts =
-        measured_parts(scene, drawn_parts(scene, illustration.illustrate.part_styles));
-    for (SheetView& view : views_) view.reaches = view.broken.reaches(parts);
+  if (overall && illustration.left_parts) {
+    for (SheetView& view : views_) view.reaches = view.broken.reaches(*illustration.left_parts);
   }
   deal(scene, illustration);
   keep_clear_of_annotations(scene, illustration);
@@ -123,7 +115,7 @@ void SheetDimensions::keep_clear_of_annotations(const Scene& scene,
     if (beside_[i].empty()) continue;
     // The other side may have none of them.
     for (Dimension& one : lists_[i]) {
-      if (one.overall && is_square(view.axes, one.to - one.from)) one.outwards = Vec3(0);
+      if (one.overall && is_seen_square(view.axes, one.to - one.from)) one.outwards = Vec3(0);
     }
   }
 }
@@ -168,15 +160,12 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
     best = std::move(shown);
     where = i;
   }
-  const auto tell = [&](const char* code, const std::string& what) {
-    scene.diagnostics.add(Severity::Warning, code, 1,
-                          fmt::format("{}{} {}", row.row.place, called(row), what));
-  };
   if (best) {
     lists_[where].push_back(std::move(best->dimension));
     if (hidden_in.empty() || wanted.empty()) return;
-    return tell("dimensions.hidden",
-                fmt::format("is drawn in the view {}, where what it measures is hidden", wanted));
+    return tell_of(row, "dimensions.hidden",
+                   fmt::format("is drawn in the view {}, where what it measures is hidden", wanted),
+                   scene.diagnostics);
   }
   std::string why = "a section takes what it measures away";
   if (left_out) {
@@ -190,7 +179,7 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
                             hidden_in.size() > 1 ? "views" : "view", fmt::join(hidden_in, ", "));
     why += advice(row, *sights_.front(), style_);
   }
-  tell("dimensions.not_drawn", "is not drawn: " + why);
+  tell_of(row, "dimensions.not_drawn", "is not drawn: " + why, scene.diagnostics);
 }
 
 ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) const {

@@ -16,8 +16,6 @@ namespace {
 /// Sine within which a face or an edge runs along the axis: rounding of coordinates in single
 /// precision, over edges of some millimetres.
 constexpr double kWallAlong = 1e-5;
-/// Of the diagonal of what is drawn: how finely parts are realised.
-constexpr double kStretchFine = 2e-4;
 
 class StretchFinder {
  public:
@@ -113,14 +111,10 @@ class StretchFinder {
 
 }  // namespace
 
-std::vector<UniformStretch> uniform_stretches(const Scene& scene, const std::vector<bool>& drawn,
-                                              const Vec3& axis, RunContext& context) {
-  RealiseOptions options;
-  options.tolerance = kStretchFine * scene.bounds(Mat3(1)).diagonal();
-  options.curvature = false;
+std::vector<UniformStretch> uniform_stretches(const MeasuredParts& parts, const Vec3& axis) {
   StretchFinder finder(axis);
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (drawn[i]) finder.add(scene.parts[i].form->realise(options, context)->proxy());
+  for (const std::shared_ptr<const Surface>& surface : parts.surfaces) {
+    if (surface) finder.add(surface->proxy());
   }
   return finder.run();
 }

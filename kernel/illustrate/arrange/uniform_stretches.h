@@ -1,13 +1,20 @@
 #pragma once
 // Stretches of a model over which its cross-section stays the same; internal to the module.
 
-#include <burin/base/run_context.h>
 #include <burin/base/vec.h>
-#include <burin/surface/scene.h>
+#include <burin/surface/surface.h>
 
+#include <memory>
 #include <vector>
 
 namespace burin::detail {
+
+/// Parts as they are measured, one each; null where one is not drawn.
+struct MeasuredParts {
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  /// Model mm.
+  double tolerance = 0;
+};
 
 /// Model mm along an axis.
 struct UniformStretch {
@@ -17,9 +24,8 @@ struct UniformStretch {
 };
 
 /// The stretches along `axis` (unit) in which no face of the parts turns towards the axis and no
-/// edge ends or leaves its direction, ascending; none where there is nothing. `drawn`: one a part.
-/// Cost: realising the parts, and a look at each triangle. Throws Cancelled.
-std::vector<UniformStretch> uniform_stretches(const Scene& scene, const std::vector<bool>& drawn,
-                                              const Vec3& axis, RunContext& context);
+/// edge ends or leaves its direction, ascending; none where there is nothing. Cost: a look at each
+/// triangle.
+std::vector<UniformStretch> uniform_stretches(const MeasuredParts& parts, const Vec3& axis);
 
 }  // namespace burin::detail

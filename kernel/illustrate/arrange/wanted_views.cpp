@@ -142,13 +142,9 @@ void choose_hidden(const std::vector<std::string>& names, std::vector<WantedView
 
 }  // namespace
 
-Mat3 axes_of(const Camera& camera) {
-  return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
-}
-
 Mat3 axes_of(const ViewOptions& view) {
   const ViewOptions sides{.direction = view.direction, .up = view.up};
-  return axes_of(Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides));
+  return Camera::fit([](const Mat3&) { return Box3{Vec3(-1), Vec3(1)}; }, sides).axes();
 }
 
 std::string name_of(const ViewOptions& view) {

@@ -27,8 +27,7 @@ struct WantedView {
   Margin room = Margin(0);
 };
 
-/// Right, up and to the viewer, as rows: of a camera, and of a view, whatever it shows.
-Mat3 axes_of(const Camera& camera);
+/// Right, up and to the viewer, as rows, of a view, whatever it shows.
 Mat3 axes_of(const ViewOptions& view);
 
 /// "front", "iso" ... of a view that has the direction of such a one, else "view".

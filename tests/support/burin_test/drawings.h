@@ -37,6 +37,17 @@ inline Path feature_line(LineClass kind, std::vector<Vec2> points, bool closed, 
   return p;
 }
 
+/// Of a part, a face and an edge, with twice its places in the model at depth 1.
+inline Path plain_path(std::vector<Vec2> points, bool closed = false) {
+  Path p;
+  p.closed = closed;
+  for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
+  p.points = std::move(points);
+  p.width.assign(1, 0.3);
+  p.source = {2, 5, 7};
+  return p;
+}
+
 inline std::vector<Vec2> ring(Vec2 center, double radius, std::size_t n = 180) {
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,7 +1,8 @@
 // What broken views find in their parts, and what of these they refuse or tell.
-#include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
+
+#include "broken_bar.h"
 
 #include <burin_test/mesh_checks.h>
 #include <burin_test/shapes.h>
@@ -16,27 +17,8 @@
 namespace burin {
 namespace {
 
-class BrokenParts : public testing::Test {
+class BrokenParts : public test::BrokenBar {
  protected:
-  void SetUp() override {
-    scene_ = {};
-    scene_.parts = {part("bar", {0, 0, 0}, {20, 20, 400})};
-    plan_ = {};
-    plan_.view.paper = {297, 210};
-    plan_.view.direction = {0, -1, 0};
-    plan_.breaks = {along_z(50, 350)};
-  }
-  static Part part(const std::string& name, Vec3 low, Vec3 high) {
-    return {name, "a.step", std::make_shared<MeshForm>(test::box(low, high))};
-  }
-  static Break along_z(double from, double to) {
-    return {.axis = Vec3(0, 0, 1), .stretch = std::pair(from, to)};
-  }
-  void draw() {
-    arrange_parts(scene_, plan_, context_);
-    sheet_ = plan_sheet(scene_, plan_);
-    drawing_ = illustrate(scene_, sheet_, plan_, context_);
-  }
   /// The messages of that code.
   std::string told(const std::string& code) const {
     std::string all;
@@ -48,21 +30,6 @@ class BrokenParts : public testing::Test {
   const PlacedView& named(const std::string& name) const {
     return *std::ranges::find(sheet_.views, name, &PlacedView::name);
   }
-  std::vector<std::string> dimensions() const {
-    std::vector<std::string> texts;
-    for (const Layer& layer : drawing_.layers) {
-      for (const Text& text : layer.texts) {
-        if (layer.name == "dimensions") texts.push_back(text.text);
-      }
-    }
-    return texts;
-  }
-
-  Scene scene_;
-  Illustration plan_;
-  SheetOfViews sheet_;
-  Drawing drawing_;
-  RunContext context_;
 };
 
 TEST_F(BrokenParts, RefuseDetailsThatReachIntoTheBreak) {

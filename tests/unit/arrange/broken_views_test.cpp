@@ -1,11 +1,12 @@
 // Views of long parts with stretches left out.
-#include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/drawing/clip.h>
 #include <burin/drawing/length.h>
 #include <burin/drawing/writers.h>
 #include <burin/forms/mesh/mesh_form.h>
+
+#include "broken_bar.h"
 
 #include <burin_test/mesh_checks.h>
 #include <burin_test/ring_size.h>
@@ -25,27 +26,8 @@ namespace {
 
 constexpr double kGap = 4;
 
-class BrokenViews : public testing::Test {
+class BrokenViews : public test::BrokenBar {
  protected:
-  void SetUp() override {
-    scene_ = {};
-    scene_.parts = {part("bar", {0, 0, 0}, {20, 20, 400})};
-    plan_ = {};
-    plan_.view.paper = {297, 210};
-    plan_.view.direction = {0, -1, 0};
-    plan_.breaks = {{.axis = Vec3(0, 0, 1), .stretch = std::pair(50.0, 350.0)}};
-  }
-  static Part part(const std::string& name, Vec3 low, Vec3 high) {
-    return {name, "a.step", std::make_shared<MeshForm>(test::box(low, high))};
-  }
-  static Break along_z(double from, double to) {
-    return {.axis = Vec3(0, 0, 1), .stretch = std::pair(from, to)};
-  }
-  void draw() {
-    arrange_parts(scene_, plan_, context_);
-    sheet_ = plan_sheet(scene_, plan_);
-    drawing_ = illustrate(scene_, sheet_, plan_, context_);
-  }
   bool tells(const std::string& code) const { return test::count_of(scene_.diagnostics, code) > 0; }
 
   static bool is_laid_over(const Path& path) {
@@ -72,25 +54,12 @@ class BrokenViews : public testing::Test {
     const auto found = std::ranges::find(drawing_.layers, name, &Layer::name);
     return found == drawing_.layers.end() ? nullptr : &*found;
   }
-  std::vector<std::string> dimensions() const {
-    std::vector<std::string> texts;
-    if (const Layer* found = layer("dimensions")) {
-      for (const Text& text : found->texts) texts.push_back(text.text);
-    }
-    return texts;
-  }
   double length() const {
     double sum = 0;
     for (const Path& path : lines()) sum += length_of(path);
     return sum;
   }
   const PlacedView& view() const { return sheet_.views.front(); }
-
-  Scene scene_;
-  Illustration plan_;
-  SheetOfViews sheet_;
-  Drawing drawing_;
-  RunContext context_;
 };
 
 TEST_F(BrokenViews, AreAsLongAsWhatIsLeftAndTheGap) {

@@ -1,10 +1,11 @@
 // Dimensions of faces, edges and points of parts.
-#include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/drawing/clip.h>
 #include <burin/drawing/font.h>
 #include <burin/surface/placed_form.h>
+
+#include "measured_sheet.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -43,25 +44,15 @@ TopoDS_Shape plate(double length, const std::vector<Hole>& holes) {
 
 const std::vector<Hole> kHoles{{20, 15, 8.5}, {60, 40, 3.25, 4}};
 
-FeatureRow at(Vec3 p) { return {.at = p}; }
+using test::at;
 
-class DimensionRows : public testing::Test {
+class DimensionRows : public test::MeasuredSheet {
  protected:
   void SetUp() override {
-    scene_ = {};
-    plan_ = {};
-    scene_.parts = {{"plate", "a.step", test::brep_form(plate(80, kHoles))}};
-    plan_.view.paper = {297, 210};
+    begin({"plate", "a.step", test::brep_form(plate(80, kHoles))});
     plan_.views = {"front", "top", "left"};
-    plan_.style.feature.crease_angle = 30;
   }
 
-  DimensionRow& add(Kind kind, std::vector<FeatureRow> of) {
-    DimensionRow row;
-    row.kind = kind;
-    row.of = std::move(of);
-    return plan_.dimensions.emplace_back(row);
-  }
   void add_all() {
     add(Kind::Distance, {at({0, 25, 6}), at({80, 25, 6})});
     add(Kind::Distance, {at({0, 25, 6}), at({28.5, 15, 6})});
@@ -75,23 +66,6 @@ class DimensionRows : public testing::Test {
     add(Kind::Angle, {at({0, 25, 6}), at({40, 0, 6})});
   }
 
-  SheetOfViews planned() {
-    arrange_parts(scene_, plan_, context_);
-    return plan_sheet(scene_, plan_);
-  }
-  Texts texts() {
-    Texts texts;
-    for (const PlacedView& view : planned().views) {
-      for (const Dimension& one : view.dimensions.list) texts[view.name].push_back(one.text);
-    }
-    return texts;
-  }
-  std::string told(const char* code = "dimensions.not_drawn") const {
-    for (const Diagnostic& one : scene_.diagnostics.entries()) {
-      if (one.code == code) return one.message;
-    }
-    return "";
-  }
   /// What planning throws.
   std::string refused() {
     try {
@@ -101,10 +75,6 @@ class DimensionRows : public testing::Test {
     }
     return "";
   }
-
-  Scene scene_;
-  Illustration plan_;
-  RunContext context_;
 };
 
 TEST_F(DimensionRows, StandInTheViewThatShowsThemBest) {

@@ -1,5 +1,5 @@
 // Dimensions stand where the view shows what they measure.
-#include <burin/arrange/arrange.h>
+#include "measured_sheet.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -9,12 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace burin {
 namespace {
+
+using test::at;
 
 TopoDS_Shape without_hole(const TopoDS_Shape& from, gp_Pnt point, gp_Dir way, double radius,
                           double depth) {
@@ -29,47 +30,11 @@ TopoDS_Shape drilled_plate() {
   return without_hole(out, gp_Pnt(-1, 40, 6), gp_Dir(1, 0, 0), 2.5, 11);
 }
 
-class SeenDimensions : public testing::Test {
+class SeenDimensions : public test::MeasuredSheet {
  protected:
-  using Kind = DimensionRow::Kind;
-  using Texts = std::map<std::string, std::vector<std::string>>;
+  void SetUp() override { begin({"plate", "a.step", test::brep_form(drilled_plate())}); }
 
-  static FeatureRow at(Vec3 p) { return {.at = p}; }
-  void SetUp() override {
-    scene_ = {};
-    plan_ = {};
-    scene_.parts = {{"plate", "a.step", test::brep_form(drilled_plate())}};
-    plan_.view.paper = {297, 210};
-    plan_.style.feature.crease_angle = 30;
-  }
-
-  DimensionRow& add(Kind kind, std::vector<FeatureRow> of) {
-    DimensionRow row;
-    row.kind = kind;
-    row.of = std::move(of);
-    return plan_.dimensions.emplace_back(row);
-  }
-  std::vector<PlacedView> views() {
-    arrange_parts(scene_, plan_, context_);
-    return plan_sheet(scene_, plan_).views;
-  }
-  Texts texts() {
-    Texts texts;
-    for (const PlacedView& view : views()) {
-      for (const Dimension& one : view.dimensions.list) texts[view.name].push_back(one.text);
-    }
-    return texts;
-  }
-  std::string told(const char* code = "dimensions.not_drawn") const {
-    for (const Diagnostic& one : scene_.diagnostics.entries()) {
-      if (one.code == code) return one.message;
-    }
-    return "";
-  }
-
-  Scene scene_;
-  Illustration plan_;
-  RunContext context_;
+  std::vector<PlacedView> views() { return planned().views; }
 };
 
 TEST_F(SeenDimensions, BeginAtTheEndOfAnAxisThatIsSeen) {

@@ -4,6 +4,7 @@
 #include <burin/drawing/length.h>
 #include <burin/planar/even_odd.h>
 
+#include "burin_test/drawings.h"
 #include "burin_test/ring_size.h"
 
 #include <gtest/gtest.h>
@@ -15,18 +16,10 @@
 namespace burin {
 namespace {
 
+using test::plain_path;
+
 PaperBreaks two_bands() {
   return {.along = {1, 0}, .bands = {{10, 30}, {50, 53}}, .gap = 4, .offset = {1, 2}};
-}
-
-Path path_of(std::vector<Vec2> points, bool closed = false) {
-  Path p;
-  p.closed = closed;
-  for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
-  p.points = std::move(points);
-  p.width.assign(1, 0.3);
-  p.source = {2, 5, 7};
-  return p;
 }
 
 /// By the even-odd rule.
@@ -65,8 +58,8 @@ TEST(PaperBreaks, MovesEachPieceAsAWhole) {
 }
 
 TEST(BreakUp, CutsLinesAndMovesWhatIsLeft) {
-  Drawing drawing = drawing_of({path_of({{0, 5}, {60, 5}}), path_of({{12, 0}, {28, 9}}),
-                                path_of({{40, 0}, {42, 0}, {42, 3}}, true)});
+  Drawing drawing = drawing_of({plain_path({{0, 5}, {60, 5}}), plain_path({{12, 0}, {28, 9}}),
+                                plain_path({{40, 0}, {42, 0}, {42, 3}}, true)});
   break_up({.along = {1, 0}, .bands = {{10, 30}}, .gap = 4}, {}, drawing);
   const std::vector<Path>& paths = drawing.layers[0].paths;
   ASSERT_EQ(paths.size(), 3U);  // the second one is gone
@@ -79,8 +72,8 @@ TEST(BreakUp, CutsLinesAndMovesWhatIsLeft) {
 }
 
 TEST(BreakUp, LetsCentreLinesThroughThatShareTheWay) {
-  Path axis = path_of({{-2, 5}, {62, 5}}), of_hole = path_of({{20, 0}, {20, 10}}),
-       ends_within = path_of({{0, 8}, {20, 8}}), frame = path_of({{15, 1}, {16, 1}});
+  Path axis = plain_path({{-2, 5}, {62, 5}}), of_hole = plain_path({{20, 0}, {20, 10}}),
+       ends_within = plain_path({{0, 8}, {20, 8}}), frame = plain_path({{15, 1}, {16, 1}});
   axis.kind = of_hole.kind = ends_within.kind = LineClass::Centre;
   frame.kind = LineClass::Frame;
   Drawing drawing = drawing_of({axis, of_hole, ends_within, frame});
@@ -134,8 +127,8 @@ TEST(BreakUp, EndsAtAJaggedEdge) {
   const std::vector<Vec2> edge{{2, 0}, {4, 1.5}, {6, -1.5}, {8, 0}};
   const PaperBreaks breaks{.along = {1, 0}, .bands = {{20, 50}}, .gap = 5};
   std::vector<Path> lines;
-  for (double y = 0; y <= 10; y += 0.25) lines.push_back(path_of({{0, y}, {70, y}}));
-  lines.push_back(path_of({{0, 0}, {70, 10}}));
+  for (double y = 0; y <= 10; y += 0.25) lines.push_back(plain_path({{0, y}, {70, y}}));
+  lines.push_back(plain_path({{0, 0}, {70, 10}}));
   Drawing drawing = drawing_of(lines);
   std::vector<Area> areas(1);
   areas[0].rings = {{{0, 0}, {70, 0}, {70, 10}, {0, 10}}};
@@ -208,7 +201,7 @@ TEST(BreakUp, KeepsWhatIsInside) {
 TEST(BreakUp, WorksAlongAnyDirection) {
   const Vec2 along = glm::normalize(Vec2(2, 1));
   const PaperBreaks breaks{.along = along, .bands = {{10, 30}}, .gap = 4};
-  Drawing drawing = drawing_of({path_of({Vec2(0), 60.0 * along})});
+  Drawing drawing = drawing_of({plain_path({Vec2(0), 60.0 * along})});
   break_up(breaks, {}, drawing);
   ASSERT_EQ(drawing.layers[0].paths.size(), 2U);
   double length = 0;

@@ -1,6 +1,7 @@
 #include <burin/drawing/clip.h>
 #include <burin/drawing/join.h>
 
+#include "burin_test/drawings.h"
 #include "burin_test/ring_size.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +12,12 @@
 namespace burin {
 namespace {
 
+using test::plain_path;
+
 const Box2 kWindow{{0, 0}, {10, 10}};
 
-Path line(std::vector<Vec2> points, bool closed = false) {
-  Path p;
-  p.closed = closed;
-  for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
-  p.points = std::move(points);
-  p.width.assign(1, 0.3);
-  p.source = {2, 5, 7};
-  return p;
-}
-
 TEST(Clip, CutsWithEverythingThatBelongsToAPoint) {
-  Path p = line({{-10, 5}, {5, 5}, {5, 20}});
+  Path p = plain_path({{-10, 5}, {5, 5}, {5, 20}});
   p.width = {0.1, 0.4, 0.7};
   p.faces = {{0, 5}, {1, 6}};
   ASSERT_FALSE(lies_in(p, kWindow));
@@ -46,7 +39,7 @@ TEST(Clip, CutsWithEverythingThatBelongsToAPoint) {
 TEST(Clip, AClosedPathGivesWholePieces) {
   // It begins inside: what is left are two corners, not three pieces.
   const std::vector<Path> pieces =
-      clipped(line({{5, 5}, {5, 15}, {-5, 15}, {-5, 5}}, true), kWindow);
+      clipped(plain_path({{5, 5}, {5, 15}, {-5, 15}, {-5, 5}}, true), kWindow);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_FALSE(pieces[0].closed);
   // From where it comes in to where it leaves.
@@ -55,9 +48,9 @@ TEST(Clip, AClosedPathGivesWholePieces) {
 }
 
 TEST(Clip, WhatIsOutsideOrTouchesACornerLeavesNothing) {
-  EXPECT_TRUE(clipped(line({{-5, 0}, {0, -5}}), kWindow).empty());
-  EXPECT_TRUE(clipped(line({{-5, 5}, {5, -5}}), kWindow).empty());
-  EXPECT_TRUE(clipped(line({{20, 20}, {30, 30}}), kWindow).empty());
+  EXPECT_TRUE(clipped(plain_path({{-5, 0}, {0, -5}}), kWindow).empty());
+  EXPECT_TRUE(clipped(plain_path({{-5, 5}, {5, -5}}), kWindow).empty());
+  EXPECT_TRUE(clipped(plain_path({{20, 20}, {30, 30}}), kWindow).empty());
 }
 
 TEST(Clip, InPerspectiveThePointOfTheModelIsTheOneThatIsSeen) {
@@ -78,9 +71,10 @@ TEST(Clip, InPerspectiveThePointOfTheModelIsTheOneThatIsSeen) {
 }
 
 TEST(Join, RingsBecomeOneClosedPathAndTheRestStays) {
-  const Path a = line({{0, 0}, {5, 0}, {5, 5}});
-  const Path open = line({{20, 20}, {25, 20}});
-  Path b = line({{0, 0.001}, {0, 9}, {5, 5.001}});  // the other way round, ends within the grid
+  const Path a = plain_path({{0, 0}, {5, 0}, {5, 5}});
+  const Path open = plain_path({{20, 20}, {25, 20}});
+  Path b =
+      plain_path({{0, 0.001}, {0, 9}, {5, 5.001}});  // the other way round, ends within the grid
   b.source = {2, 9, -1};
   const std::vector<const Path*> all{&a, &open, &b};
   const JoinedPaths joined = join_rings(all);
@@ -95,8 +89,9 @@ TEST(Join, RingsBecomeOneClosedPathAndTheRestStays) {
 }
 
 TEST(Join, LinesThatBranchDifferOrStayOpenAreLeft) {
-  const Path a = line({{0, 0}, {5, 0}}), b = line({{5, 0}, {0, 5}}), c = line({{0, 5}, {0, 0}});
-  const Path branch = line({{0, 0}, {-5, -5}});
+  const Path a = plain_path({{0, 0}, {5, 0}}), b = plain_path({{5, 0}, {0, 5}}),
+             c = plain_path({{0, 5}, {0, 0}});
+  const Path branch = plain_path({{0, 0}, {-5, -5}});
   Path thick = c;
   thick.width = {0.6};
   const auto count = [](std::vector<const Path*> all) { return join_rings(all).paths.size(); };
@@ -108,17 +103,17 @@ TEST(Join, LinesThatBranchDifferOrStayOpenAreLeft) {
 
 TEST(Clip, ADiscCutsAtItsCircle) {
   const Disc disc{{5, 5}, 4};
-  EXPECT_TRUE(lies_in(line({{3, 5}, {7, 6}}), disc));
-  const std::vector<Path> through = clipped(line({{-10, 5}, {20, 5}}), disc);
+  EXPECT_TRUE(lies_in(plain_path({{3, 5}, {7, 6}}), disc));
+  const std::vector<Path> through = clipped(plain_path({{-10, 5}, {20, 5}}), disc);
   ASSERT_EQ(through.size(), 1u);
   EXPECT_LT(glm::distance(through[0].points.front(), Vec2(1, 5)), 1e-12);
   EXPECT_LT(glm::distance(through[0].points.back(), Vec2(9, 5)), 1e-12);
   EXPECT_LT(glm::distance(through[0].points3.back(), Vec3(18, 10, 1)), 1e-12);
-  EXPECT_TRUE(clipped(line({{0, 0}, {0, 10}, {10, 10}}), disc).empty());
-  EXPECT_TRUE(clipped(line({{5, 9.001}, {5, 20}}), disc).empty());
+  EXPECT_TRUE(clipped(plain_path({{0, 0}, {0, 10}, {10, 10}}), disc).empty());
+  EXPECT_TRUE(clipped(plain_path({{5, 9.001}, {5, 20}}), disc).empty());
   // A square about it whose corners alone are outside.
   const std::vector<Path> corners =
-      clipped(line({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, true), {{5, 5}, 3.5});
+      clipped(plain_path({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, true), {{5, 5}, 3.5});
   EXPECT_EQ(corners.size(), 4u);
   for (const Path& piece : corners) {
     for (const Vec2& p : piece.points) EXPECT_LE(glm::distance(p, Vec2(5, 5)), 3.5 + 1e-9);

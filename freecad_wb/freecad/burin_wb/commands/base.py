@@ -83,6 +83,14 @@ def selected_illustrations():
     return all_of_them if len(all_of_them) == 1 else []
 
 
+def some_illustrations():
+    """The illustrations that a command is for; refuses none."""
+    chosen = selected_illustrations()
+    if not chosen:
+        raise Refused(tr("select an illustration"))
+    return chosen
+
+
 def one_illustration():
     """The one illustration that a command is for; refuses any other number."""
     chosen = selected_illustrations()

@@ -10,7 +10,7 @@ from ..features.properties import CENTRE_LINES
 from ..features.sources import from_the_top, survey
 from ..tasks.dimensions import selected_features
 from ..text import tr
-from .base import Command, selected_illustrations
+from .base import Command, selected_illustrations, some_illustrations
 
 
 class Dimension(Command):
@@ -61,9 +61,7 @@ class CentreLines(Command):
         return bool(selected_illustrations())
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if not chosen:
-            raise Refused(tr("select an illustration"))
+        chosen = some_illustrations()
         on = not all(obj.CentreLines or obj.StyleKeys.get(CENTRE_LINES) == "true" for obj in chosen)
         for obj in chosen:
             obj.CentreLines = on

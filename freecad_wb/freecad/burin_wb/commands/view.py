@@ -6,7 +6,7 @@ from ..errors import Refused
 from ..features.eye import face_of, of_face, set_view, standard
 from ..text import tr
 from ..view.camera import camera_of
-from .base import Command, Group, selected_illustrations
+from .base import Command, Group, selected_illustrations, some_illustrations
 
 
 class ViewFromCamera(Command):
@@ -63,10 +63,7 @@ class Standard(Command):
         return bool(selected_illustrations())
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if not chosen:
-            raise Refused(tr("select an illustration"))
-        for obj in chosen:
+        for obj in some_illustrations():
             set_view(obj, standard(self.view))
         document.recompute()
 

@@ -5,6 +5,7 @@ import re
 
 from .. import hooks
 from ..errors import Refused
+from ..proxy import Stateless
 from ..text import tr
 from .found import drawn, features_of, found_of, now, text_of
 from .kept import split
@@ -20,7 +21,7 @@ _NUMBER = r"[-+]?\d+(?:[.,]\d+)?"
 _DEVIATIONS = re.compile(rf"\s*({_NUMBER})\s*[/;]\s*({_NUMBER})\s*$")
 
 
-class Dimension:
+class Dimension(Stateless):
     """The Proxy of a dimension. Documents name it as freecad.burin_wb.features.Dimension."""
 
     def __init__(self, obj):
@@ -46,15 +47,6 @@ class Dimension:
         if not text:
             _follow(obj, found)
         tell_why(obj, text or obj.LeftOut)
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def is_dimension(obj):

@@ -3,6 +3,7 @@
 import FreeCAD
 import Part
 
+from ..proxy import Stateless
 from ..tell import NOTE, tell
 from .curves import edges_of
 from .properties import FLAT_EDGES, ensure, is_newer
@@ -16,7 +17,7 @@ TOLERANCE = 0.02
 NOTES, STROKES = ("leader", "frame", "trail", "centre", "thread", "thread-end"), ("stroke", "pattern")
 
 
-class FlatEdges:
+class FlatEdges(Stateless):
     """The Proxy of a Part::FeaturePython: an illustration's lines in the XY plane, in mm of the model as projected,
     the middle of the sheet at the origin. Documents name it as freecad.burin_wb.features.FlatEdges."""
 
@@ -42,15 +43,6 @@ class FlatEdges:
         for view in obj.InList:
             if view.isDerivedFrom("TechDraw::DrawViewPart"):
                 fit(view, obj, sheet)
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _show_plainly(flat):

@@ -7,6 +7,7 @@ import tempfile
 from .. import hooks
 from ..errors import Failed, Refused
 from ..job import Job, shortened
+from ..proxy import Stateless
 from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
@@ -52,7 +53,7 @@ def settle(obj):
     return True
 
 
-class Illustration:
+class Illustration(Stateless):
     """The Proxy of an illustration. Documents name it as freecad.burin_wb.features.Illustration."""
 
     _restored = False
@@ -129,15 +130,6 @@ class Illustration:
         mark_left_out(obj, {**job.left, **refused})
         if job.notes or obj.Message:  # which may tell of what was left out of another job with the same drawing
             _say(obj, job, [*job.refusals(refused), *(job.without(refused).told(text) for text in messages_of(obj.Drawing))])
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 NEWER = "was made by a newer Burin; its kept drawing is shown and not drawn again. Install that version to change it"

@@ -5,6 +5,7 @@ import os
 import FreeCAD
 
 from .. import preferences
+from ..proxy import Stateless
 from ..tell import tell
 from .free_place import EDGE, extent, free_place
 from .properties import SHEET_VIEW, ensure
@@ -39,7 +40,7 @@ def sheet_size(illustration):
     return illustration.Width.Value, illustration.Height.Value
 
 
-class SheetView:
+class SheetView(Stateless):
     """The Proxy of a DrawViewSymbolPython that follows an illustration at the scale of its own sheet. Documents name
     it as freecad.burin_wb.features.SheetView."""
 
@@ -79,15 +80,6 @@ class SheetView:
         if moved.Length > 1e-9:
             obj.X, obj.Y = obj.X.Value + moved.x, obj.Y.Value + moved.y
             obj.Middle = middle
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _whole(illustration):

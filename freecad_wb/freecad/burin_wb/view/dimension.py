@@ -7,6 +7,7 @@ from pivy import coin
 
 from .. import hooks
 from ..features.dimension import features_of
+from ..proxy import Stateless
 
 _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
 _ICON, _STALE = os.path.join(_ICONS, "burin_dimension.svg"), os.path.join(_ICONS, "burin_stale.svg")
@@ -19,7 +20,7 @@ def light_features(dimensions):
         Gui.Selection.addSelection(top.Document.Name, top.Name, sub)
 
 
-class DimensionView:
+class DimensionView(Stateless):
     def __init__(self, view):
         view.Proxy = self
 
@@ -52,12 +53,3 @@ class DimensionView:
         """The panel has its own transaction; FreeCAD's edit mode would end it."""
         hooks.edit(view.Object)
         return False
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

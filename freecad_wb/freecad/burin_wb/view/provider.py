@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 
 from .. import hooks
 from ..features.dimension import dimensions_of, illustrations_of, is_dimension
+from ..proxy import Stateless
 from ..tell import ERROR, tell
 from ..text import tr
 from . import ink, reading
@@ -17,7 +18,7 @@ _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "
 _ICON, _STALE = os.path.join(_ICONS, "burin_illustration.svg"), os.path.join(_ICONS, "burin_stale.svg")
 
 
-class IllustrationView:
+class IllustrationView(Stateless):
     is_stale = False  # as the tree shows it
 
     def __init__(self, view):
@@ -195,15 +196,6 @@ class IllustrationView:
             if illustrations_of(one) == [view.Object]:
                 view.Object.Document.removeObject(one.Name)
         return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class _Watch:

@@ -38,6 +38,9 @@ std::vector<OptionRow<DimensionOptions>> dimension_option_rows();
 std::string dimension_text(double length, const DimensionOptions& style);
 std::string angle_text(double degrees, const DimensionOptions& style);
 
+/// Whether a length is as long on paper as it is. `axes`: right, up and to the viewer, in rows.
+bool is_seen_square(const Mat3& axes, Vec3 length);
+
 /// One dimension in space, model mm: where it stands on paper is found for the view that shows it.
 struct Dimension {
   enum class Kind : std::uint8_t {

@@ -73,6 +73,8 @@ class Camera {
   Vec3 up() const { return up_; }
   /// Unit vector from the model to the viewer (perspective: of the sheet's centre).
   Vec3 direction() const { return direction_; }
+  /// Rows: right, up and direction.
+  Mat3 axes() const { return glm::transpose(Mat3(right_, up_, direction_)); }
   Vec3 center() const { return center_; }
   Vec2 offset() const { return offset_; }
   /// Paper mm per model mm (perspective: in the plane through `center`).

@@ -59,7 +59,8 @@ void check_thread_row(const ThreadRow& row);
 void cut_parts(Scene& scene, Illustration& illustration);
 /// Finds what breaks leave out of what is drawn, as `Illustration::left_out`, once parts are cut
 /// and moved. Tells of breaks that leave nothing out. Throws UsageError where they are along
-/// different axes or overlap. Cost: realising all parts, where stretches are to be found.
+/// different axes or overlap. Cost: realising all parts, where stretches are to be found or overall
+/// dimensions are drawn.
 void find_breaks(Scene& scene, Illustration& illustration, RunContext& context);
 /// The rows of an illustration with what their faces and edges look like (`FeatureRow::print`), by
 /// which they are found again once the models have changed, once `select_parts` knows which parts

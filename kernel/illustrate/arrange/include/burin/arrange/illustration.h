@@ -26,6 +26,7 @@ namespace burin {
 
 namespace detail {
 class FeatureSight;
+struct MeasuredParts;
 }  // namespace detail
 
 /// How the parts that selectors name are drawn, where that differs from the others.
@@ -141,6 +142,8 @@ struct Illustration {
   /// Along one axis; `left_out`: what arranging makes of them.
   std::vector<Break> breaks = {};
   ModelBreaks left_out = {};
+  /// What overall dimensions look at in broken views: what arranging makes.
+  std::shared_ptr<const detail::MeasuredParts> left_parts = {};
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
   /// At most 23.
   std::vector<DetailView> details = {};
