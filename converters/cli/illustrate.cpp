@@ -24,12 +24,13 @@ namespace {
   throw UsageError(
       fmt::format("'{}' is an illustration file already; alone and with --explode auto, one that "
                   "extends it by the steps of an exploded view is written; alone, where it has "
-                  "rows of \"dimensions\", one by which these are found again in changed models",
+                  "rows of \"dimensions\" or \"notes\", one by which these are found again in "
+                  "changed models",
                   name));
 }
 
-/// Whether an illustration is to be extended by its exploded view or its dimensions. Throws
-/// UsageError where it is an input for anything else.
+/// Whether an illustration is to be extended by its exploded view or its dimensions and notes.
+/// Throws UsageError where it is an input for anything else.
 bool extends_another(const DrawArguments& arguments) {
   const auto found = std::ranges::find_if(
       arguments.inputs, [](const std::string& input) { return is_illustration(input); });
@@ -53,22 +54,23 @@ std::vector<ExplodeStep> steps_of(Scene scene, DrawPlan& plan, RunContext& conte
   return steps;
 }
 
-std::string with_kept_dimensions(const std::string& base_illustration, DrawTask& task,
-                                 const std::filesystem::path& folder, RunContext& context,
-                                 Console& console) {
+std::string with_kept_features(const std::string& base_illustration, DrawTask& task,
+                               const std::filesystem::path& folder, RunContext& context,
+                               Console& console) {
   Scene scene = task.follow(task.read(context));
   select_parts(scene, task.plan);
-  const std::vector<DimensionRow> kept = kept_dimensions(scene, task.plan, context);
+  keep_features(scene, task.plan, context);
   console.diagnostics(with_spelling(scene.diagnostics, Spelling::Options));
-  return kept_illustration(base_illustration, folder, kept, task.plan.overall_dimensions);
+  return kept_illustration(base_illustration, folder, task.plan);
 }
 
 std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
                      RunContext& context, Console& console) {
   const std::string& base_illustration = arguments.inputs.front();
   DrawTask task(find_inputs(arguments.inputs), arguments.request, Spelling::Options);
-  if (!arguments.request.has("explode") && !task.plan.dimensions.empty()) {
-    return with_kept_dimensions(base_illustration, task, folder, context, console);
+  const bool measures = !task.plan.dimensions.empty() || !task.plan.note_rows.empty();
+  if (!arguments.request.has("explode") && measures) {
+    return with_kept_features(base_illustration, task, folder, context, console);
   }
   const bool explodes = arguments.request.has("explode") && task.plan.explode.wanted;
   if (!explodes) refuse_illustration(base_illustration);  // --explode none

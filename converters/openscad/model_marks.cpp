@@ -59,6 +59,7 @@ class Gatherer {
     if (call.mark.what == "explode") return explode(call, names);
     if (call.mark.what == "callout") return callout(call, names);
     if (call.mark.what == "thread") return thread(call, names);
+    if (call.mark.what == "note") return note(call, names);
     report(fmt::format("burin.scad asks for {}, which this Burin does not know",
                        in_quotes(call.mark.what)));
   }
@@ -118,6 +119,14 @@ class Gatherer {
       marks_.threads.push_back({.part = name, .size = size.get<std::string>()});
       if (length.is_number()) marks_.threads.back().length = length.get<double>();
     }
+  }
+
+  void note(const PartCall& call, const std::vector<std::string>& names) {
+    const Json& text = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
+    if (!text.is_string() || text.get<std::string>().empty()) {
+      return report("note() takes words, as in note(\"oil before use\") lid();");
+    }
+    marks_.notes.push_back({names.front(), text.get<std::string>()});
   }
 
   void view(const Mark& mark) {

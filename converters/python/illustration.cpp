@@ -153,6 +153,7 @@ py::dict illustration(const py::object& source) {
   out["details"] = list_at(members, "details");
   out["threads"] = list_at(members, "threads");
   out["dimensions"] = list_at(members, "dimensions");
+  out["notes"] = list_at(members, "notes");
   py::dict items;
   for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
@@ -228,9 +229,8 @@ void add_illustration(py::module_& module) {
       "\"iso\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", \"explode\", \"breaks\", \"details\", \"threads\" and "
-      "\"dimensions\" "
-      "unchanged; "
+      "\"looks\"; \"sections\", \"explode\", \"breaks\", \"details\", \"threads\", "
+      "\"dimensions\" and \"notes\" unchanged; "
       "\"views\", "
       "names, and "
       "\"projection\"; \"items\", number to name; \"title_block\" unchanged; "

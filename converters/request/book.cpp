@@ -22,6 +22,7 @@ std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
        {std::pair(!plan.views.empty(), "`views`"),
         {own_view, "`section_view`"},
         {plan.overall_dimensions || !plan.dimensions.empty(), "`dimensions`"},
+        {!plan.note_rows.empty(), "`note`"},
         {!plan.breaks.empty(), "`break_view`"},
         {!plan.details.empty(), "`detail`"},
         {plan.legend, "`legend`"},

@@ -83,6 +83,11 @@ void leave_out(DrawPlan& plan) {
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    "dimensions have no effect on a drawing of two revisions");
   }
+  if (!plan.note_rows.empty()) {
+    plan.note_rows.clear();
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   "`note` has no effect on a drawing of two revisions");
+  }
   if (std::erase_if(plan.sections, [](const Section& section) { return section.own_view; }) > 0) {
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    "section views have no effect on a drawing of two revisions: `section` cuts all "

@@ -6,6 +6,7 @@
 #include <burin/converters/values.h>
 
 #include "explode_option.h"
+#include "note_option.h"
 #include "section_option.h"
 #include "thread_option.h"
 
@@ -142,7 +143,7 @@ const std::vector<RequestRow<Draft>>& draw_rows() {
     std::vector<RequestRow<Draft>> rows;
     for (const auto& group :
          {look_option_rows(), part_option_rows(), section_rows(), explode_option_rows(),
-          item_option_rows(), thread_rows(), view_rows(), sheet_rows(), run_rows()}) {
+          item_option_rows(), thread_rows(), note_rows(), view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;

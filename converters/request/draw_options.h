@@ -27,6 +27,7 @@ inline constexpr const char* kIsoScale = "iso";
 inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
 /// The heading of options about parts.
 inline constexpr const char* kParts = "Parts";
+inline constexpr const char* kSheet = "The sheet and the view";
 
 const std::vector<RequestRow<Draft>>& draw_rows();
 /// Of them, those about the look, of all and of parts, about sections, about the view and about the

@@ -1,5 +1,6 @@
 #include "illustration/keyed.h"
 #include "make_plan.h"
+#include "note_option.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,18 @@ std::vector<ThreadRow> threads_of(const ModelMarks& marks) {
                   .length = mark.length,
                   .place = marks.source + ": "};
     check_thread_row(row);
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+/// As an illustration file has them. Throws UsageError that names the model.
+std::vector<DimensionRow> notes_of(const ModelMarks& marks) {
+  std::vector<DimensionRow> out;
+  for (const ModelMarks::Note& mark : marks.notes) {
+    DimensionRow row = detail::note_of(fmt::format("{}: note()", marks.source), mark.text);
+    row.of = {{.kind = FeatureRow::Kind::Part, .part = mark.part}};
+    row.place = marks.source + ": ";
     out.push_back(std::move(row));
   }
   return out;
@@ -117,11 +130,13 @@ void set_view(const DrawRequest& asked, const DrawRequest& all, DrawPlan& plan) 
 DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request) {
   std::vector<LookRequest> looks;
   std::vector<ThreadRow> threads;
+  std::vector<DimensionRow> notes;
   const bool numbered = !request.items.empty(), seen = request.has("view");
   const bool turned = request.has("up"), chosen = request.has("callouts");
   for (const ModelMarks& one : marks) {
     add_marked_looks(one, looks);
     std::ranges::move(threads_of(one), std::back_inserter(threads));
+    std::ranges::move(notes_of(one), std::back_inserter(notes));
     check_view(one);
     // Of what only one model may ask, the last one counts.
     if (one.callouts && !chosen) request.options["callouts"] = {"true"};
@@ -135,6 +150,7 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
   }
   request.looks.insert(request.looks.begin(), looks.begin(), looks.end());
   request.threads.insert(request.threads.begin(), threads.begin(), threads.end());
+  request.notes.insert(request.notes.begin(), notes.begin(), notes.end());
   return request;
 }
 
@@ -150,6 +166,9 @@ void detail::follow_marks(const std::vector<ModelMarks>& marks, const DrawReques
   const auto marked = all.threads.size() - request.threads.size();
   plan.thread_rows.insert(plan.thread_rows.begin(), all.threads.begin(),
                           all.threads.begin() + static_cast<std::ptrdiff_t>(marked));
+  const auto noted = all.notes.size() - request.notes.size();
+  plan.note_rows.insert(plan.note_rows.begin(), all.notes.begin(),
+                        all.notes.begin() + static_cast<std::ptrdiff_t>(noted));
   // The way that parts come apart is the model's; whether they do is not.
   Explode explode;
   for (const ModelMarks& one : marks) add_steps(one, explode);

@@ -106,9 +106,10 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   const bool lists =
       plan.callouts || plan.parts_list || plan.legend || own_views || !plan.details.empty();
   for (const std::string& key : plan.style_keys) {
-    if (key.starts_with("dimension.") && !plan.overall_dimensions && plan.dimensions.empty()) {
-      note(fmt::format("style key {} has no effect without {}", key,
-                       called("dimensions", plan.spelling)));
+    if (key.starts_with("dimension.") && !plan.overall_dimensions && plan.dimensions.empty() &&
+        plan.note_rows.empty()) {
+      note(fmt::format("style key {} has no effect without {} or {}", key,
+                       called("dimensions", plan.spelling), called("note", plan.spelling)));
     }
     if (key.starts_with("break.") && plan.breaks.empty()) {
       note(fmt::format("style key {} has no effect without {}", key,
@@ -202,6 +203,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.details = request.details;
   plan.thread_rows = request.threads;
   plan.dimensions = request.dimensions;
+  plan.note_rows = request.notes;
   plan.illustrate.part_styles = part_styles;
   plan.spelling = spelling;
   draft.looks = request.looks;

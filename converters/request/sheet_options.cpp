@@ -16,8 +16,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr const char* kSheet = "The sheet and the view";
-
 void set_paper(Draft& draft, const Asked& asked) {
   draft.plan.sheet.fits = equal_but_for_case(asked.text(), "fit");
   if (!draft.plan.sheet.fits) draft.plan.view.paper = Paper::named(asked.text());

@@ -3,6 +3,8 @@
 #include <burin/annotate/legend_box.h>
 #include <burin/drawing/font.h>
 
+#include "missing_letters.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,15 +14,14 @@
 
 namespace burin {
 namespace detail {
-namespace {
 
-void report_missing(const std::vector<std::string>& names, Diagnostics& diagnostics) {
+void report_missing_letters(const std::vector<std::string>& texts, Diagnostics& diagnostics) {
   std::size_t missing = 0;
   const std::string* first = nullptr;
-  for (const std::string& name : names) {
-    const std::size_t of_name = missing_glyphs(name);
-    if (of_name > 0 && !first) first = &name;
-    missing += of_name;
+  for (const std::string& text : texts) {
+    const std::size_t of_text = missing_glyphs(text);
+    if (of_text > 0 && !first) first = &text;
+    missing += of_text;
   }
   if (missing == 0) return;
   diagnostics.add(Severity::Warning, "text.no_glyph", static_cast<std::int64_t>(missing),
@@ -28,6 +29,8 @@ void report_missing(const std::vector<std::string>& names, Diagnostics& diagnost
                               "HTML and DXF; the first in '{}'",
                               *first));
 }
+
+namespace {
 
 void add_list(const std::optional<ListPlan>& plan, const Annotations& annotations,
               const CalloutOptions& style, Drawing& drawing) {
@@ -42,7 +45,7 @@ void add_list(const std::optional<ListPlan>& plan, const Annotations& annotation
   }
   std::vector<std::string> names;
   for (const DrawingItem& item : annotations.items) names.push_back(item.name);
-  report_missing(names, drawing.diagnostics);
+  report_missing_letters(names, drawing.diagnostics);
   drawing.layers.push_back(list_layer(annotations.items, style, *plan));
 }
 
@@ -60,7 +63,7 @@ void add_legend(const std::optional<LegendPlan>& plan, const Annotations& annota
   for (const LegendRow& row : annotations.legend) {
     if (row.seen) names.push_back(row.name);
   }
-  if (!annotations.parts_list) report_missing(names, drawing.diagnostics);
+  if (!annotations.parts_list) report_missing_letters(names, drawing.diagnostics);
   lay_legend(*plan, annotations, style, drawing);
 }
 
@@ -80,7 +83,7 @@ void add_title_block(const std::optional<TitleBlockPlan>& plan, const Annotation
   }
   std::vector<std::string> values;
   for (const auto& [name, value] : block.fields) values.push_back(value);
-  report_missing(values, drawing.diagnostics);
+  report_missing_letters(values, drawing.diagnostics);
   lay_title_block(*plan, block, style, drawing);
 }
 

@@ -59,6 +59,7 @@ void join(const Source& source) {
   if (id == BURIN_FORM_1) add_form(source);
   if (id == BURIN_READER_1) add_reader(source);
   if (is_writer(id)) add_writer(source);
+  if (id == BURIN_SYMBOL_1) add_symbol(source);
 }
 
 /// What no other file may offer beside a factory: "form gyroids", "suffix .tiny". Directions and

@@ -9,7 +9,8 @@ namespace burin::plugin {
 namespace {
 
 const char* word_of(PluginError::Row row) {
-  constexpr std::array kWords{"direction", "law", "stroke kind", "form", "reader", "writer"};
+  constexpr std::array kWords{"direction", "law",    "stroke kind", "form",
+                              "reader",    "writer", "symbol"};
   return kWords[static_cast<std::size_t>(row)];
 }
 

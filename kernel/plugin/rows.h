@@ -30,6 +30,7 @@ void add_marks(const Source& source);
 void add_form(const Source& source);
 void add_reader(const Source& source);
 void add_writer(const Source& source);
+void add_symbol(const Source& source);
 /// That of a factory of writers.
 const char* suffix_of(const burin_factory& f);
 

@@ -7,9 +7,9 @@
 namespace burin::plugin {
 namespace {
 
-constexpr std::array<std::string_view, 7> kKnown{
+constexpr std::array<std::string_view, 8> kKnown{
     BURIN_DIRECTION_1, BURIN_LAW_1,    BURIN_STROKE_KIND_1, BURIN_FORM_1,
-    BURIN_READER_1,    BURIN_WRITER_1, BURIN_WRITER_2};
+    BURIN_READER_1,    BURIN_WRITER_1, BURIN_WRITER_2,      BURIN_SYMBOL_1};
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53
 
 bool is_text(const char* text) {
@@ -154,6 +154,9 @@ std::string functions_fault(const burin_factory& f) {
   };
   if (id == BURIN_WRITER_1) return writer_fault(functions_of<burin_writer_1>(f));
   if (id == BURIN_WRITER_2) return writer_fault(functions_of<burin_writer_2>(f));
+  if (id == BURIN_SYMBOL_1) {
+    return functions_of<burin_symbol_1>(f).draw != nullptr ? "" : lacking;
+  }
   return {};
 }
 

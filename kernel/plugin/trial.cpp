@@ -1,5 +1,6 @@
 #include "trial.h"
 
+#include "symbol_check.h"
 #include "table_check.h"
 
 #include <algorithm>
@@ -272,12 +273,51 @@ std::string try_form(const burin_factory& f) {
   return s.values != nullptr ? try_function(s, made.self) : try_patch(s, made.self);
 }
 
+/// The first fault of what a symbol draws.
+const char*& symbol_fault(burin_symbol* symbol) { return *reinterpret_cast<const char**>(symbol); }
+
+std::int32_t noted(burin_symbol* symbol, const char* fault) {
+  const char*& first_fault = symbol_fault(symbol);
+  if (first_fault == nullptr) first_fault = fault;
+  return fault == nullptr ? BURIN_OK : BURIN_FAILED;
+}
+
+constexpr burin_symbol_calls kSymbolCalls{
+    [](burin_symbol* symbol, std::size_t count, const double* points, double width, std::int32_t) {
+      return noted(symbol, line_fault(count, points, width));
+    },
+    [](burin_symbol* symbol, std::size_t rings, const std::size_t* counts, const double* points,
+       const char* color) { return noted(symbol, fill_fault(rings, counts, points, color)); },
+    [](burin_symbol* symbol, double x, double y, double height, std::int32_t anchor,
+       const char* text) { return noted(symbol, text_fault(x, y, height, anchor, text)); },
+    // About as wide as letters are.
+    [](const char* text, double height) {
+      return text == nullptr ? 0 : 0.7 * height * static_cast<double>(::strnlen(text, 4096));
+    }};
+
+std::string try_symbol(const burin_factory& f) {
+  const auto& s = *static_cast<const burin_symbol_1*>(f.functions);
+  for (const char* text : {"Ra 1.6\nmilled", ""}) {
+    const burin_symbol_request request{text, 3.5, 0.18};
+    const char* fault = nullptr;
+    burin_symbol_box box{};
+    burin_error error{};
+    const std::int32_t code = s.draw(&request, fallbacks(f).data(), &kSymbolCalls,
+                                     reinterpret_cast<burin_symbol*>(&fault), &box, &error);
+    if (fault != nullptr) return fault;
+    if (code != BURIN_OK) return reported("draw", code, error);
+    if (const char* of_box = box_fault(box)) return of_box;
+  }
+  return {};
+}
+
 std::string try_factory(const burin_factory& f) {
   const std::string_view id = f.id;
   if (id == BURIN_DIRECTION_1) return try_direction(f);
   if (id == BURIN_LAW_1) return try_law(f);
   if (id == BURIN_STROKE_KIND_1) return try_marks(f);
   if (id == BURIN_FORM_1) return try_form(f);
+  if (id == BURIN_SYMBOL_1) return try_symbol(f);
   return {};
 }
 

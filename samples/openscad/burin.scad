@@ -43,6 +43,13 @@ module thread(size, length) {
   children();
 }
 
+// Words beside the drawing, with a leader to the children. A line ends with "\n"; {part.name}, {item} and
+// {volume} are the children's own.
+module note(text) {
+  burin_says("note", [text]);
+  children();
+}
+
 // A polyhedron without faces, which OpenSCAD makes nothing of; its points hold what is said.
 module burin_says(what, arguments) {
   polyhedron(points = concat([[0.271828, 0.314159, 0.141421]], burin_points(concat([what], arguments))),

@@ -61,14 +61,15 @@ class Plugins : public test::CliTest {
 
 TEST_F(Plugins, AreListedWithWhatTheyOffer) {
   ASSERT_EQ(run("plugins"), 0) << err_;
-  for (const char* word : {"spiral 1.0", "burin.direction/1", "burin.law/1", "burin.form/1",
-                           "burin.reader/1", "gyroids", "tiny", "grain"}) {
+  for (const char* word :
+       {"spiral 1.0", "burin.direction/1", "burin.law/1", "burin.form/1", "burin.reader/1",
+        "burin.symbol/1", "gyroids", "tiny", "grain", "datum"}) {
     EXPECT_NE(out_.find(word), std::string::npos) << word << "\n" << out_;
   }
   EXPECT_EQ(out_.find("refused"), std::string::npos) << out_;
   ASSERT_EQ(run("plugins --json"), 0);
   const json told = json::parse(out_);
-  EXPECT_EQ(told["plugins"].size(), 4U);
+  EXPECT_EQ(told["plugins"].size(), 5U);
   EXPECT_EQ(told["path"][0], built("samples"));
 }
 
@@ -98,6 +99,9 @@ TEST_F(Plugins, AreRefusedInOneLineEachAndTheOthersStay) {
       {"nan", "no number"},
       {"count", "behind the end of an array"},
       {"lie", "answers otherwise"},
+      {"symbol_color", "a fill whose colour is not #rrggbb"},
+      {"symbol_size", "no width and height in mm"},
+      {"symbol_later", ""},
       {"nan_later", ""},
       {"error_later", ""},
   };
@@ -107,6 +111,64 @@ TEST_F(Plugins, AreRefusedInOneLineEachAndTheOthersStay) {
     EXPECT_NE(refused[name].find(why), std::string::npos) << name << ": " << refused[name];
     EXPECT_EQ(refused[name].empty(), why.empty()) << name << ": " << refused[name];
   }
+}
+
+/// A note of the ball in a symbol of a plug-in.
+std::string note_in(const std::string& symbol, const std::string& more = "") {
+  return R"({"burin": "illustration", "version": 1, "parts": [{"file": "ball.off"}],
+"paper": "80x80", "notes": [{"at": "ball", "text": "A|flat", "symbol": ")" +
+         symbol + "\"" + more + "}]}";
+}
+
+TEST_F(Plugins, SymbolsStandAtTheEndsOfNotes) {
+  write_ball();
+  const auto notes = [&](const std::string& more) {
+    folder_.write("a.burin.json", note_in("datum", more));
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json --quiet"), 0) << err_;
+    const json drawing = json::parse(test::slurp(folder_ / "a.json"));
+    for (const json& layer : drawing["layers"]) {
+      if (layer["name"] == "notes") return layer;
+    }
+    return json();
+  };
+  const json plain = notes("");
+  ASSERT_EQ(plain["texts"].size(), 2U);
+  EXPECT_EQ(plain["texts"][0]["text"], "A");
+  EXPECT_EQ(plain["texts"][1]["text"], "flat");
+  const auto frames = [](const json& layer) {
+    double width = 0;
+    int count = 0;
+    for (const json& path : layer["paths"]) {
+      if (!path.value("closed", false)) continue;
+      ++count;
+      width = path["width"][0];
+    }
+    EXPECT_EQ(count, 2);
+    return width;
+  };
+  EXPECT_NEAR(frames(notes(", \"datum_bold\": true")), 2 * frames(plain), 1e-9);
+  folder_.write("a.burin.json", note_in("datum", ", \"datum_bold\": 7"));
+  EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2);
+  EXPECT_NE(err_.find("datum_bold"), std::string::npos) << err_;
+  folder_.write("a.burin.json", note_in("datun"));
+  EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2);
+  EXPECT_NE(err_.find("datum"), std::string::npos) << err_;
+}
+
+TEST_F(Plugins, ASymbolThatFailsLeavesTheWords) {
+  write_ball();
+  use_bad({"symbol_later"});
+  folder_.write("a.burin.json", note_in("later"));
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --quiet"), 0) << err_;
+  const json drawing = json::parse(test::slurp(folder_ / "a.json"));
+  const auto told = messages(drawing, "plugin.quarantined");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("no bar please"), std::string::npos) << told[0];
+  bool words = false;
+  for (const json& layer : drawing["layers"]) {
+    for (const json& text : layer.value("texts", json::array())) words |= text["text"] == "A|flat";
+  }
+  EXPECT_TRUE(words);
 }
 
 TEST_F(Plugins, DirectionsAndLawsDrawByNameWithTheirOptions) {

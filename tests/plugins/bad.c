@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int32_t make(const burin_view* view, const burin_value* values, void** self, burin_error* error) {
+static int32_t make(const burin_view* view, const burin_value* values, void** self,
+                    burin_error* error) {
   (void)view;
   (void)values;
   (void)self;
@@ -20,8 +21,8 @@ static int32_t make(const burin_view* view, const burin_value* values, void** se
 #endif
 }
 
-static int32_t directions(const void* self, const burin_points* points, double* first, double* second, double* certainty,
-                          burin_error* error) {
+static int32_t directions(const void* self, const burin_points* points, double* first,
+                          double* second, double* certainty, burin_error* error) {
   size_t i;
   (void)self;
   (void)second;
@@ -67,7 +68,13 @@ static int32_t directions(const void* self, const burin_points* points, double* 
 #define NAME "bad"
 #endif
 
-static const burin_option options[] = {{"turn", "how far", BURIN_NUMBER, 0, 1, NULL, NULL,
+static const burin_option options[] = {{"turn",
+                                        "how far",
+                                        BURIN_NUMBER,
+                                        0,
+                                        1,
+                                        NULL,
+                                        NULL,
 #ifdef BAD_OPTION
                                         {2, {0, 0, 0}, NULL}
 #else
@@ -75,8 +82,9 @@ static const burin_option options[] = {{"turn", "how far", BURIN_NUMBER, 0, 1, N
 #endif
 }};
 static const burin_direction_1 functions = {0, make, NULL, directions};
-static const burin_factory factories[] = {{BURIN_DIRECTION_1, NAME, "broken", 1, options, &functions},
-                                          {"burin.direction/9", "newer", NULL, 0, NULL, NULL}};
+static const burin_factory factories[] = {
+    {BURIN_DIRECTION_1, NAME, "broken", 1, options, &functions},
+    {"burin.direction/9", "newer", NULL, 0, NULL, NULL}};
 static const burin_plugin_table table = {ABI, "bad", "1", 2, factories};
 
 #ifdef BAD_SYMBOL

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -103,18 +104,6 @@ Deviation deviation(const KeyedFile& in, const Json& value, const std::string& p
   return {text, *number};
 }
 
-/// A text may have no other name in braces than that of the number.
-void check_text(const KeyedFile& in, const std::string& text, const std::string& path) {
-  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
-    const std::size_t end = text.find('}', at);
-    if (end == std::string::npos) return;
-    const std::string name = text.substr(at, end + 1 - at);
-    if (name == "{value}") continue;
-    in.fail(path,
-            fmt::format("\"text\" has {}: only {{value}} is known, which is the number", name));
-  }
-}
-
 void read_tolerance(const KeyedFile& in, const Json& value, const std::string& path,
                     DimensionRow& to) {
   if (!value.is_array()) {
@@ -178,45 +167,9 @@ const std::vector<KeyRow<DimensionRow>>& dimension_rows() {
                if (!from.tolerance.empty()) return Json(from.tolerance);
                return from.upper.empty() ? Json() : Json{from.upper, from.lower};
              }},
-        {.name = "decimals",
-         .schema = {{"description", "places after the point (default: the style's)"},
-                    {"type", "integer"},
-                    {"minimum", 0},
-                    {"maximum", 6}},
-         .read =
-             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
-               const double places = in.within(value, path, 0, 6, "0 to 6");
-               if (places != std::floor(places)) in.fail(path, "takes a whole number");
-               to.decimals = static_cast<std::uint64_t>(places);
-             },
-         .write =
-             [](const DimensionRow& from) {
-               return from.decimals ? Json(*from.decimals) : Json();
-             }},
-        {.name = "unit",
-         .schema = words_schema("of lengths (default: the style's)", kUnits),
-         .read =
-             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
-               to.unit = static_cast<DimensionOptions::Unit>(word_of(in, value, path, kUnits));
-             },
-         .write =
-             [](const DimensionRow& from) {
-               return from.unit ? Json(kUnits[static_cast<std::size_t>(*from.unit)]) : Json();
-             }},
-        {.name = "sign",
-         .schema = words_schema("before the decimals (default: the style's)", kSigns),
-         .read =
-             [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
-               to.sign = static_cast<DimensionOptions::Sign>(word_of(in, value, path, kSigns));
-             },
-         .write =
-             [](const DimensionRow& from) {
-               return from.sign ? Json(kSigns[static_cast<std::size_t>(*from.sign)]) : Json();
-             }},
-        text_row("view", "the view that has it (default: the first that shows it best)",
-                 &DimensionRow::view),
     };
     all.insert(all.end(), others.begin(), others.end());
+    std::ranges::move(number_rows(), std::back_inserter(all));
     return all;
   }();
   return rows;
@@ -240,12 +193,70 @@ DimensionRow dimension(const KeyedFile& in, const Json& value, const std::string
   if (row.kind == Kind::Thread && row.text.empty()) {
     in.fail(path, "a thread has \"text\", such as \"M8\": its shape alone does not tell");
   }
-  check_text(in, row.text, path + "/text");
+  check_braces(in, row.text, path + "/text", {"value"}, "{value} is known, which is the number");
   row.place = in.place(path);
   return row;
 }
 
 }  // namespace
+
+std::vector<KeyRow<DimensionRow>> number_rows() {
+  return {
+      {.name = "decimals",
+       .schema = {{"description", "places after the point (default: the style's)"},
+                  {"type", "integer"},
+                  {"minimum", 0},
+                  {"maximum", 6}},
+       .read =
+           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+             const double places = in.within(value, path, 0, 6, "0 to 6");
+             if (places != std::floor(places)) in.fail(path, "takes a whole number");
+             to.decimals = static_cast<std::uint64_t>(places);
+           },
+       .write =
+           [](const DimensionRow& from) { return from.decimals ? Json(*from.decimals) : Json(); }},
+      {.name = "unit",
+       .schema = words_schema("of lengths (default: the style's)", kUnits),
+       .read =
+           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+             to.unit = static_cast<DimensionOptions::Unit>(word_of(in, value, path, kUnits));
+           },
+       .write =
+           [](const DimensionRow& from) {
+             return from.unit ? Json(kUnits[static_cast<std::size_t>(*from.unit)]) : Json();
+           }},
+      {.name = "sign",
+       .schema = words_schema("before the decimals (default: the style's)", kSigns),
+       .read =
+           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
+             to.sign = static_cast<DimensionOptions::Sign>(word_of(in, value, path, kSigns));
+           },
+       .write =
+           [](const DimensionRow& from) {
+             return from.sign ? Json(kSigns[static_cast<std::size_t>(*from.sign)]) : Json();
+           }},
+      text_row("view", "the view that has it (default: the first that shows it best)",
+               &DimensionRow::view),
+  };
+}
+
+std::optional<std::string> unknown_brace(const std::string& text,
+                                         const std::vector<std::string>& names) {
+  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+    const std::size_t end = text.find('}', at);
+    if (end == std::string::npos) break;
+    std::string name = text.substr(at + 1, end - at - 1);
+    if (std::ranges::find(names, name) == names.end()) return name;
+  }
+  return std::nullopt;
+}
+
+void check_braces(const KeyedFile& in, const std::string& text, const std::string& path,
+                  const std::vector<std::string>& names, const std::string& known) {
+  if (const std::optional<std::string> name = unknown_brace(text, names)) {
+    in.fail(path, fmt::format("\"text\" has {{{}}}: only {}", *name, known));
+  }
+}
 
 void take_dimensions(const KeyedFile& in, const Json& value, const std::string& path,
                      IllustrationFile& out) {

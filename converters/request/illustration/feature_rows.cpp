@@ -148,6 +148,17 @@ const std::vector<KeyRow<FeatureRow>>& feature_rows() {
 
 }  // namespace
 
+FeatureRow read_target(const KeyedFile& in, const Json& value, const std::string& path) {
+  const bool object = value.is_object();
+  if (!value.is_string() && !(object && value.size() == 1 && value.contains("part"))) {
+    return read_feature(in, value, path);
+  }
+  FeatureRow out;
+  out.kind = FeatureRow::Kind::Part;
+  out.part = object ? in.text(value["part"], path + "/part") : in.text(value, path);
+  return out;
+}
+
 FeatureRow read_feature(const KeyedFile& in, const Json& value, const std::string& path) {
   FeatureRow out;
   if (value.is_array()) {
@@ -170,6 +181,16 @@ FeatureRow read_feature(const KeyedFile& in, const Json& value, const std::strin
 }
 
 Json write_feature(const FeatureRow& feature) { return write_object(feature_rows(), feature); }
+
+Json target_schema() {
+  const Json selector = text("parts, as in looks: any of them that is seen will do");
+  Json whole = object_of({{"part", selector}});
+  whole["required"] = Json::array({"part"});
+  Json schema = feature_schema();
+  schema["anyOf"].push_back(selector);
+  schema["anyOf"].push_back(std::move(whole));
+  return schema;
+}
 
 Json feature_schema() {
   Json object = object_schema(feature_rows());

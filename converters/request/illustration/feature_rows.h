@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace burin::detail {
 
@@ -32,7 +34,19 @@ inline Json vector_json(const Vec3& v) { return Json{v.x, v.y, v.z}; }
 
 /// [x, y, z], a point near a face, or "part" with one of "face", "edge" and "point".
 FeatureRow read_feature(const KeyedFile& in, const Json& value, const std::string& path);
+/// That, or parts by a selector, as text or as "part" alone: what a note points at.
+FeatureRow read_target(const KeyedFile& in, const Json& value, const std::string& path);
 Json write_feature(const FeatureRow& feature);
 Json feature_schema();
+Json target_schema();
+
+/// How numbers are written, and the view that has them: members of dimensions and notes.
+std::vector<KeyRow<DimensionRow>> number_rows();
+/// A name in braces that is not among these.
+std::optional<std::string> unknown_brace(const std::string& text,
+                                         const std::vector<std::string>& names);
+/// A text may have these names in braces alone, which `known` tells to a user.
+void check_braces(const KeyedFile& in, const std::string& text, const std::string& path,
+                  const std::vector<std::string>& names, const std::string& known);
 
 }  // namespace burin::detail

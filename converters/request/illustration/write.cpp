@@ -174,13 +174,15 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
 
 namespace {
 
-/// A file that extends another by one key.
+/// A file that extends another by some keys.
 std::string extending(const std::string& base_illustration, const fs::path& folder,
-                      const std::string& key, const IllustrationFile& file) {
+                      const std::vector<std::string>& keys, const IllustrationFile& file) {
   Json json{{"extends", seen_from(folder, base_illustration)}};
   for (const auto& row : detail::rows_of_file()) {
-    if (row.name != "burin" && row.name != "version" && row.name != key) continue;
-    json[row.name] = row.write(file);
+    const bool head = row.name == "burin" || row.name == "version";
+    if (!head && std::ranges::find(keys, row.name) == keys.end()) continue;
+    const Json value = row.write(file);
+    if (!value.is_null()) json[row.name] = value;
   }
   return text_of(json);
 }
@@ -191,15 +193,19 @@ std::string exploded_illustration(const std::string& base_illustration, const Dr
                                   const fs::path& folder, const std::vector<ExplodeStep>& steps) {
   IllustrationFile file{.inputs = {}, .request = request};
   file.request.explode.steps = steps;
-  return extending(base_illustration, folder, "explode", file);
+  return extending(base_illustration, folder, {"explode"}, file);
 }
 
 std::string kept_illustration(const std::string& base_illustration, const fs::path& folder,
-                              const std::vector<DimensionRow>& dimensions, bool overall) {
+                              const Illustration& kept) {
   IllustrationFile file;
-  file.request.dimensions = dimensions;
-  if (overall) file.request.options["dimensions"] = {"overall"};
-  return extending(base_illustration, folder, "dimensions", file);
+  file.request.dimensions = kept.dimensions;
+  file.request.notes = kept.note_rows;
+  if (kept.overall_dimensions) file.request.options["dimensions"] = {"overall"};
+  std::vector<std::string> keys;
+  if (!kept.dimensions.empty() || kept.overall_dimensions) keys.emplace_back("dimensions");
+  if (!kept.note_rows.empty()) keys.emplace_back("notes");
+  return extending(base_illustration, folder, keys, file);
 }
 
 std::string illustration_schema() {

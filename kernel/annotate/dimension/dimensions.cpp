@@ -1,6 +1,8 @@
 #include <burin/annotate/dimensions.h>
 #include <burin/drawing/font.h>
 
+#include "missing_letters.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,22 +67,49 @@ bool is_seen_square(const Mat3& axes, Vec3 length) {
   return glm::length(Vec2(axes * length)) > (1 - kSquare) * glm::length(length);
 }
 
+namespace {
+
+/// How many texts run off the sheet.
+std::int64_t off_sheet(const Layer& layer, const Drawing& drawing) {
+  const Box2 sheet{Vec2(0), {drawing.paper_width, drawing.paper_height}};
+  return std::ranges::count_if(layer.texts, [&](const Text& text) {
+    const Box2 box = text_box(text);
+    return !sheet.contains(box.min) || !sheet.contains(box.max);
+  });
+}
+
+void add_layer(Layer layer, const char* code, const char* what, Drawing& drawing) {
+  if (layer.paths.empty() && layer.texts.empty()) return;
+  if (const std::int64_t cut = off_sheet(layer, drawing); cut > 0) {
+    drawing.diagnostics.add(Severity::Warning, code, cut, what);
+  }
+  drawing.layers.push_back(std::move(layer));
+}
+
+}  // namespace
+
 void lay_dimensions(Drawing& drawing, const Camera& camera, const ViewDimensions& dimensions,
                     const DimensionOptions& style) {
   if (dimensions.list.empty() || camera.perspective()) return;
   const PaperView view{camera.axes(), camera.scale(), camera.to_paper(Vec3(0))};
-  Layer layer = lay_out(dimensions, view, style, &drawing).layer;
-  const Box2 sheet{Vec2(0), {drawing.paper_width, drawing.paper_height}};
-  const auto cut = std::ranges::count_if(layer.texts, [&](const Text& text) {
-    const Box2 box = text_box(text);
-    return !sheet.contains(box.min) || !sheet.contains(box.max);
-  });
-  if (cut > 0) {
-    drawing.diagnostics.add(Severity::Warning, "dimensions.off_sheet", cut,
-                            "numbers of dimensions run off the sheet: a larger `paper` or smaller "
-                            "`dimension.height` has room for them");
+  LaidDimensions laid = lay_out(dimensions, view, style, &drawing);
+  std::vector<std::string> texts;
+  for (const Text& text : laid.notes.texts) texts.push_back(text.text);
+  detail::report_missing_letters(texts, drawing.diagnostics);
+  for (Area& area : laid.areas) {
+    // Without a colour of its own it has that of lines, wherever a page changes this.
+    area.role = area.fill.empty() ? "pmi" : "symbol";
+    if (area.fill.empty()) area.fill = drawing.ink_color;
+    drawing.areas.push_back(std::move(area));
   }
-  drawing.layers.push_back(std::move(layer));
+  add_layer(std::move(laid.layer), "dimensions.off_sheet",
+            "numbers of dimensions run off the sheet: a larger `paper` or smaller "
+            "`dimension.height` has room for them",
+            drawing);
+  add_layer(std::move(laid.notes), "notes.off_sheet",
+            "notes run off the sheet: a larger `paper`, a smaller `dimension.height` or shorter "
+            "lines (\\n) have room for them",
+            drawing);
 }
 
 }  // namespace burin

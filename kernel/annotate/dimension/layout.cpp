@@ -49,11 +49,12 @@ double cost_of(const Conflicts& found) {
 }
 
 DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int steps,
-                          const DimensionGround& ground) {
+                          const DimensionGround& ground, double limit) {
   DimensionPlace best;
   best.cost = std::numeric_limits<double>::infinity();
   for (int i = 0; i < steps; ++i) {
     DimensionPlace place = make(i);
+    if (place.cost >= limit) break;
     const Conflicts found = ground.conflicts(place);
     place.alone = place.cost;
     place.cost += cost_of(found);
@@ -65,15 +66,19 @@ DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int st
 
 namespace {
 
-/// The order in which places are looked for: short lengths, long ones, those of the whole drawing,
-/// then what is shown by leaders.
+/// The order in which places are looked for: notes with a place of their own, short lengths, long
+/// ones, those of the whole drawing, then what is shown by leaders.
 std::vector<std::size_t> order_of(const std::vector<Dimension>& list, const PaperView& view) {
   std::vector<std::size_t> order(list.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) {
     const Dimension& one = list[i];
     const bool length = one.kind == Dimension::Kind::Length;
-    const int group = length ? (one.overall ? 1 : 0) : one.kind == Dimension::Kind::Angle ? 2 : 3;
+    const int group = one.place                            ? 0
+                      : length                             ? (one.overall ? 2 : 1)
+                      : one.kind == Dimension::Kind::Angle ? 3
+                      : one.kind == Dimension::Kind::Round ? 4
+                                                           : 5;
     // Rounded, so that equal lengths are equal on any machine.
     constexpr double kRounded = 1e-6;  // paper mm
     const double size =
@@ -90,6 +95,8 @@ DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
       return place_round(one, ground);
     case Dimension::Kind::Angle:
       return place_angle(one, ground);
+    case Dimension::Kind::Note:
+      return place_note(one, ground);
     case Dimension::Kind::Length:
       break;
   }
@@ -190,18 +197,26 @@ LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
   }
   make_room(dimensions.list, order, ground);
   std::vector<Layer> layers(order.size());
+  LaidDimensions out;
   for (std::size_t k = 0; k < order.size(); ++k) {
     layers[order[k]] = std::move(ground.laid[k].layer);
-  }
-  LaidDimensions out;
-  for (Layer& layer : layers) {
-    for (Path& path : layer.paths) {
-      for (const Vec2& p : path.points) out.box.add(p);
-      out.layer.paths.push_back(std::move(path));
+    for (const Area& area : ground.laid[k].areas) {
+      for (const std::vector<Vec2>& ring : area.rings) {
+        for (const Vec2& p : ring) out.box.add(p);
+      }
+      out.areas.push_back(area);
     }
-    for (Text& text : layer.texts) {
+  }
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const bool note = dimensions.list[i].kind == Dimension::Kind::Note;
+    Layer& to = note ? out.notes : out.layer;
+    for (Path& path : layers[i].paths) {
+      for (const Vec2& p : path.points) out.box.add(p);
+      to.paths.push_back(std::move(path));
+    }
+    for (Text& text : layers[i].texts) {
       out.box.add(text_box(text));
-      out.layer.texts.push_back(std::move(text));
+      to.texts.push_back(std::move(text));
     }
   }
   return out;

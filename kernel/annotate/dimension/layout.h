@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace burin::detail {
 struct DimensionPlace {
   Footprint print;
   Layer layer{"", {}};
+  std::vector<Area> areas = {};
   /// The less the better: without the others, and with what is wrong between it and these.
   double alone = 0, cost = 0;
   /// Of a length: across its line, outwards; where the line stands along it, and where it begins
@@ -55,13 +57,16 @@ struct DimensionGround {
 DimensionPlace place_length(const Dimension& dimension, const DimensionGround& ground);
 DimensionPlace place_round(const Dimension& dimension, const DimensionGround& ground);
 DimensionPlace place_angle(const Dimension& dimension, const DimensionGround& ground);
+DimensionPlace place_note(const Dimension& note, const DimensionGround& ground);
 
 /// Paper mm that conflicts are as bad as.
 double cost_of(const Conflicts& found);
 
 /// The first of the steps of a place without a hard conflict; of none that with the fewest.
-/// `make`: the place after that many steps.
+/// `make`: the place after that many steps. It ends where a place costs `limit` already, as each
+/// step costs more.
 DimensionPlace first_free(const std::function<DimensionPlace(int)>& make, int steps,
-                          const DimensionGround& ground);
+                          const DimensionGround& ground,
+                          double limit = std::numeric_limits<double>::infinity());
 
 }  // namespace burin::detail

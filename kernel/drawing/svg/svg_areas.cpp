@@ -29,6 +29,9 @@ std::string property_of(const Area& area, std::size_t color) {
 /// Letters of annotations are ink; its colour is that of lines.
 bool is_ink(const Area& area) { return area.role == "pmi"; }
 
+/// Signs keep their colours whatever a page does.
+bool is_symbol(const Area& area) { return area.role == "symbol"; }
+
 /// "part_0 tone_1" as ".part_0.tone_1".
 std::string selector_of(const std::string& classes) {
   std::string selector = "." + classes;
@@ -42,7 +45,7 @@ std::string selector_of(const std::string& classes) {
 
 SvgAreaClasses::SvgAreaClasses(const Drawing& drawing) {
   for (const Area& area : drawing.areas) {
-    if (!is_painted(area) || is_ink(area)) continue;
+    if (!is_painted(area) || is_ink(area) || is_symbol(area)) continue;
     auto& known = colors_[{area.part, area.tone}];
     if (std::ranges::find(known, area.fill) == known.end()) known.push_back(area.fill);
   }
@@ -58,7 +61,7 @@ std::size_t SvgAreaClasses::color(const Area& area) const {
 
 std::string SvgAreaClasses::of(const Area& area) const {
   if (area.fill.empty()) return {};
-  if (is_ink(area)) return "pmi";
+  if (is_ink(area) || is_symbol(area)) return area.role;
   if (area.part < 0) return "shadow";
   std::string name = fmt::format("part_{}", area.part);
   if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
@@ -104,7 +107,7 @@ std::string svg_area_rules(const Drawing& drawing, const SvgAreaClasses& classes
   std::map<std::tuple<std::size_t, std::int32_t, std::int32_t>, const Area*> rules;
   std::map<std::int32_t, std::int32_t> lightest;
   for (const Area& area : drawing.areas) {
-    if (!is_painted(area) || is_ink(area)) continue;
+    if (!is_painted(area) || is_ink(area) || is_symbol(area)) continue;
     rules.try_emplace({classes.color(area), area.tone, area.part}, &area);
     auto& tone = lightest.try_emplace(area.part, area.tone).first->second;
     tone = std::max(tone, area.tone);

@@ -62,6 +62,16 @@ std::vector<Vec3> BrokenAs::seen_of(const std::vector<Vec3>& points) const {
 
 bool BrokenAs::put_where_seen(Dimension& one) const {
   if (empty()) return true;
+  if (one.kind == Dimension::Kind::Note) {
+    return std::ranges::all_of(one.targets, [&](LeaderTarget& target) {
+      for (std::size_t k = target.tips.size(); k-- > 0;) {
+        if (!leaves_out(target.tips[k])) continue;
+        target.tips.erase(target.tips.begin() + static_cast<std::ptrdiff_t>(k));
+        target.rooms.erase(target.rooms.begin() + static_cast<std::ptrdiff_t>(k));
+      }
+      return !target.tips.empty();
+    });
+  }
   if (one.kind == Dimension::Kind::Round) return !leaves_out(one.from);
   if (one.kind == Dimension::Kind::Angle) return !leaves_out(one.to) && !leaves_out(one.other);
   const Vec3 length = one.to - one.from;

@@ -130,6 +130,10 @@ class BrokenAs::Mover {
       : as_(as), breaks_(breaks), scale_(scale), origin_(origin) {}
 
   void move(Dimension& one) const {
+    for (LeaderTarget& target : one.targets) {
+      for (Vec3& p : target.tips) p += shift(p);
+    }
+    if (one.kind == Dimension::Kind::Note) return;
     const bool length = one.kind == Dimension::Kind::Length;
     // Circles and angles keep their shape.
     const Vec3 as_one = shift(one.kind == Dimension::Kind::Angle ? one.to : one.from);

@@ -170,6 +170,7 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
     illustration.whole = drawn_bounds(scene, illustration.illustrate.part_styles);
   detail::measure_rows(scene, illustration, context);
   number_parts(scene, illustration, context);
+  detail::number_notes(illustration);
   find_threads(scene, illustration, context);
   place_parts(scene, illustration, context);
   find_breaks(scene, illustration, context);

@@ -1,6 +1,7 @@
 #include "measured_rows.h"
 
 #include <burin/arrange/arrange.h>
+#include <burin/assembly/items.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/measure/measure.h>
@@ -22,9 +23,15 @@
 namespace burin {
 
 const char* to_string(DimensionRow::Kind kind) {
-  constexpr std::array<const char*, 6> kNames{"distance", "diameter", "radius",
-                                              "angle",    "depth",    "thread"};
+  constexpr std::array<const char*, 7> kNames{"distance", "diameter", "radius", "angle",
+                                              "depth",    "thread",   "note"};
   return kNames[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<std::string>& note_values() {
+  static const std::vector<std::string> names{"part.name", "item",   "length", "area",
+                                              "diameter",  "radius", "volume"};
+  return names;
 }
 
 namespace detail {
@@ -60,6 +67,10 @@ class Measurer {
   MeasuredRow measured(const DimensionRow& row, std::size_t number) {
     MeasuredRow out{row, number};
     try {
+      if (row.kind == Kind::Note) {
+        find_targets(out);
+        return out;
+      }
       for (const FeatureRow& feature : row.of) add(feature, out);
       measure(out);
       if (row.kind == Kind::Depth && goes_through(*surface(out.parts[0]), out.of[0], context_)) {
@@ -82,11 +93,11 @@ class Measurer {
   }
 
   /// A row by the numbers that its features have now, with what they look like.
-  DimensionRow kept(const MeasuredRow& measured, const std::vector<std::string>& selectors) {
-    DimensionRow row = measured.row;
-    for (std::size_t k = 0; k < row.of.size(); ++k) {
-      FeatureRow& one = row.of[k];
-      if (one.kind == FeatureRow::Kind::Point) continue;
+  DimensionRow kept(DimensionRow row, const MeasuredRow& measured,
+                    const std::vector<std::string>& selectors) {
+    for (std::size_t k = 0; k < measured.of.size(); ++k) {
+      FeatureRow& one = row.of[measured.target.empty() ? k : measured.target[k]];
+      if (one.kind == FeatureRow::Kind::Point || one.kind == FeatureRow::Kind::Part) continue;
       const std::size_t part = measured.parts[k];
       const bool face = one.kind == FeatureRow::Kind::Face;
       const FeatureIndex& index = index_of(part, face);
@@ -110,6 +121,53 @@ class Measurer {
       throw UsageError(fmt::format("part '{}' is not drawn", feature.part));
     }
     return parts;
+  }
+
+  /// Each part that a selector names stands for the others.
+  void find_targets(MeasuredRow& out) {
+    const std::vector<FeatureRow> wanted = std::exchange(out.row.of, {});
+    for (std::size_t t = 0; t < wanted.size(); ++t) {
+      if (wanted[t].kind == FeatureRow::Kind::Part) {
+        for (const std::size_t part : parts_of(wanted[t])) {
+          out.of.emplace_back();
+          out.parts.push_back(part);
+        }
+      } else {
+        add(wanted[t], out);
+      }
+      out.row.of.resize(out.of.size(), wanted[t]);
+      out.target.resize(out.of.size(), t);
+    }
+    out.moves.resize(out.of.size(), Vec3(0));
+    find_values(out);
+  }
+
+  /// What the braces of a note ask for.
+  void find_values(MeasuredRow& out) {
+    for (const std::string& name : note_values()) {
+      if (out.row.text.find("{" + name + "}") == std::string::npos) continue;
+      const Feature* first = out.of.empty() ? nullptr : &out.of.front();
+      const std::size_t part = first ? out.parts.front() : MeasuredRow::kNoPart;
+      const FeatureRow::Kind kind = first ? out.row.of.front().kind : FeatureRow::Kind::Point;
+      std::optional<double> value;
+      if (part != MeasuredRow::kNoPart) {
+        out.part_name = name_as_read(scene_.parts[part].name);
+        if (name == "part.name" || name == "item") value = 0;
+        if (name == "volume") value = scene_.parts[part].form->measure(context_).volume;
+        if (name == "length" && kind == FeatureRow::Kind::Edge) value = first->size;
+        if (name == "area" && kind == FeatureRow::Kind::Face) value = first->size;
+        if (name == "area" && kind == FeatureRow::Kind::Part) {
+          value = scene_.parts[part].form->measure(context_).area;
+        }
+        if (first->is_round() && name == "diameter") value = 2 * first->radius;
+        if (first->is_round() && name == "radius") value = first->radius;
+      }
+      if (!value || (name == "volume" && !(*value > 0))) {
+        throw UsageError(fmt::format("what it points at has no {{{}}}{}", name,
+                                     name == "volume" ? ", its part is open" : ""));
+      }
+      out.values[name] = *value;
+    }
   }
 
   void add(const FeatureRow& row, MeasuredRow& out) {
@@ -220,6 +278,8 @@ class Measurer {
     const Feature& first = out.of[0];
     using F = FeatureKind;
     switch (out.row.kind) {
+      case Kind::Note:
+        break;
       case Kind::Distance:
         out.distance = distance_between(first, out.of[1], out.row.along);
         out.value = out.distance.length;
@@ -284,6 +344,7 @@ std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
     } catch (const GeometryError&) {
       continue;  // nothing of the part is left, or it cannot be drawn, which is told elsewhere
     }
+    if (row.row.of[k].kind == FeatureRow::Kind::Part) continue;
     const bool face = row.row.of[k].kind == FeatureRow::Kind::Face;
     const bool left = face ? face_feature(*one, row.of[k].number, context).has_value()
                            : edge_feature(*one, row.of[k].number).has_value();
@@ -314,6 +375,7 @@ std::optional<MeasuredRow> measured_row(Scene& scene, Measurer& measurer, const 
 }  // namespace
 
 std::string called(const MeasuredRow& row) {
+  if (row.row.kind == Kind::Note) return fmt::format("note {}", row.number);
   return fmt::format("dimension {} ({})", row.number, to_string(row.row.kind));
 }
 
@@ -325,17 +387,19 @@ void tell_of(const MeasuredRow& row, const char* code, const std::string& what,
 
 void measure_rows(Scene& scene, Illustration& illustration, RunContext& context) {
   illustration.measured.clear();
-  if (illustration.dimensions.empty()) return;
+  if (illustration.dimensions.empty() && illustration.note_rows.empty()) return;
   Measurer measurer(scene, illustration, context);
-  for (std::size_t i = 0; i < illustration.dimensions.size(); ++i) {
-    context.check();
-    auto one = measured_row(scene, measurer, illustration.dimensions[i], i + 1);
-    if (!one) continue;
-    std::vector<std::shared_ptr<const Surface>>& there = one->there.emplace_back();
-    for (const std::size_t part : one->parts) {
-      there.push_back(part == MeasuredRow::kNoPart ? nullptr : measurer.surface(part));
+  for (const auto* rows : {&illustration.dimensions, &illustration.note_rows}) {
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      context.check();
+      auto one = measured_row(scene, measurer, (*rows)[i], i + 1);
+      if (!one) continue;
+      std::vector<std::shared_ptr<const Surface>>& there = one->there.emplace_back();
+      for (const std::size_t part : one->parts) {
+        there.push_back(part == MeasuredRow::kNoPart ? nullptr : measurer.surface(part));
+      }
+      illustration.measured.push_back(*std::move(one));
     }
-    illustration.measured.push_back(*std::move(one));
   }
 }
 
@@ -353,6 +417,12 @@ void look_at_cuts(const Scene& scene, Illustration& illustration, RunContext& co
 
 void move_rows(Scene& scene, Illustration& illustration, const std::vector<Vec3>& moves) {
   std::erase_if(illustration.measured, [&](MeasuredRow& row) {
+    if (row.row.kind == DimensionRow::Kind::Note) {
+      for (std::size_t k = 0; k < row.parts.size(); ++k) {
+        if (row.parts[k] != MeasuredRow::kNoPart) row.moves[k] = moves[row.parts[k]];
+      }
+      return false;
+    }
     std::optional<Vec3> moved;
     for (const std::size_t part : row.parts) {
       const Vec3 move = part == MeasuredRow::kNoPart ? Vec3(0) : moves[part];
@@ -370,17 +440,27 @@ void move_rows(Scene& scene, Illustration& illustration, const std::vector<Vec3>
 
 }  // namespace detail
 
-std::vector<DimensionRow> kept_dimensions(Scene& scene, const Illustration& illustration,
-                                          RunContext& context) {
-  std::vector<DimensionRow> rows = illustration.dimensions;
-  detail::Measurer measurer(scene, illustration, context);
-  const std::vector<std::string> selectors = selectors_of(scene);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (const auto one = detail::measured_row(scene, measurer, rows[i], i + 1)) {
-      rows[i] = measurer.kept(*one, selectors);
+void detail::number_notes(Illustration& illustration) {
+  const auto& over = illustration.illustrate.annotations;
+  for (MeasuredRow& row : illustration.measured) {
+    if (!row.values.contains("item") || !over) continue;
+    const auto part = static_cast<std::int32_t>(row.parts.front());
+    for (const DrawingItem& item : over->items) {
+      if (std::ranges::find(item.parts, part) != item.parts.end()) row.item = item.number;
     }
   }
-  return rows;
+}
+
+void keep_features(Scene& scene, Illustration& illustration, RunContext& context) {
+  detail::Measurer measurer(scene, illustration, context);
+  const std::vector<std::string> selectors = selectors_of(scene);
+  for (auto* rows : {&illustration.dimensions, &illustration.note_rows}) {
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      if (const auto one = detail::measured_row(scene, measurer, (*rows)[i], i + 1)) {
+        (*rows)[i] = measurer.kept((*rows)[i], *one, selectors);
+      }
+    }
+  }
 }
 
 }  // namespace burin

@@ -19,6 +19,8 @@ void tell_of(const MeasuredRow& row, const char* code, const std::string& what,
 /// Fills `Illustration::measured` once it is known which parts are drawn, before they are cut or
 /// moved. Throws UsageError where a row names what is not there or cannot be measured so.
 void measure_rows(Scene& scene, Illustration& illustration, RunContext& context);
+/// Tells notes the numbers of the items that they name, once these are known.
+void number_notes(Illustration& illustration);
 /// What is left of the features of the rows in the scenes that were cut, before parts move.
 void look_at_cuts(const Scene& scene, Illustration& illustration, RunContext& context);
 /// Rows move with their parts; those whose parts come apart are told and left out.

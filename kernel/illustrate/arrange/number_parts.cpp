@@ -135,8 +135,11 @@ void tell_shapes_apart(Scene& scene, const std::vector<Item>& items) {
 }  // namespace
 
 void number_parts(Scene& scene, Illustration& illustration, RunContext& context) {
-  const bool listed =
-      illustration.callouts || illustration.parts_list || illustration.legend || illustration.items;
+  const bool named = std::ranges::any_of(illustration.note_rows, [](const DimensionRow& note) {
+    return note.text.find("{item}") != std::string::npos;
+  });
+  const bool listed = illustration.callouts || illustration.parts_list || illustration.legend ||
+                      illustration.items || named;
   const bool by_shape = palette_asks_for_shapes(scene, illustration);
   if (!listed && !by_shape) return;
   context.begin_stage(RunStage::Build);

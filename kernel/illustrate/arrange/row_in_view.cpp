@@ -2,6 +2,8 @@
 
 #include <burin/arrange/illustration.h>
 
+#include "row_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,7 +40,8 @@ struct Shown {
   }
   bool seen(std::size_t feature) const {
     const auto& surface = row.there[view.scene][feature];
-    return !surface || sight.shows({*surface, row.of[feature], row.row.of[feature].kind, row.moved},
+    return !surface || sight.shows({*surface, row.of[feature], row.row.of[feature].kind, row.moved,
+                                    row.parts[feature]},
                                    to_viewer());
   }
   bool all_seen() const {
@@ -49,14 +52,6 @@ struct Shown {
   }
 };
 
-std::string replaced(std::string text, const std::string& name, const std::string& by) {
-  for (std::size_t at = text.find(name); at != std::string::npos;
-       at = text.find(name, at + by.size())) {
-    text.replace(at, name.size(), by);
-  }
-  return text;
-}
-
 /// Numbers in a text with the sign before their decimals that others have.
 std::string with_sign(std::string text, const DimensionOptions& style) {
   if (style.sign != DimensionOptions::Sign::Comma) return text;
@@ -65,13 +60,6 @@ std::string with_sign(std::string text, const DimensionOptions& style) {
     if (text[i] == '.' && digit(i - 1) && digit(i + 1)) text[i] = ',';
   }
   return text;
-}
-
-DimensionOptions style_of(const DimensionRow& row, DimensionOptions style) {
-  style.decimals = row.decimals.value_or(style.decimals);
-  style.unit = row.unit.value_or(style.unit);
-  style.sign = row.sign.value_or(style.sign);
-  return style;
 }
 
 const char* sign_of(const MeasuredRow& row) {
@@ -365,18 +353,81 @@ std::optional<RowInView> angle_in(const Shown& shown) {
   return out;
 }
 
+/// Adds the places of a feature of a note that its leader may end at.
+void add_tips(const Shown& shown, std::size_t k, LeaderTarget& target) {
+  const MeasuredRow& row = shown.row;
+  if (row.parts[k] == MeasuredRow::kNoPart) {
+    target.tips.push_back(row.of[k].point);
+    target.rooms.push_back(0);
+    return;
+  }
+  const auto& surface = row.there[shown.view.scene][k];
+  if (!surface) return;
+  const SeenFeature seen{*surface, row.of[k], row.row.of[k].kind, row.moves[k], row.parts[k]};
+  for (const SeenPlace& place : shown.sight.seen_places(seen, shown.view.axes)) {
+    target.tips.push_back(place.at);
+    target.rooms.push_back(place.room);
+  }
+}
+
+/// Where something is that no part may hide.
+void add_hidden_tip(const Shown& shown, std::size_t k, LeaderTarget& target) {
+  const auto& surface = shown.row.there[shown.view.scene][k];
+  if (!surface) return;
+  const Feature& f = shown.row.of[k];
+  const std::vector<Vec3>& points = f.points.empty() ? surface->proxy().mesh.positions : f.points;
+  if (points.empty()) return;
+  const Vec3 at = points[points.size() / 2];
+  target.tips.push_back(at + shown.row.moves[k]);
+  target.rooms.push_back(0);
+}
+
+std::optional<RowInView> note_in(const Shown& shown) {
+  const MeasuredRow& row = shown.row;
+  RowInView out;
+  out.dimension.kind = Dimension::Kind::Note;
+  out.dimension.place = row.row.at_sheet;
+  out.rank = Best;
+  for (std::size_t k = 0; k < row.of.size();) {
+    const std::size_t begin = k, of = row.target[k];
+    LeaderTarget target{.mark = row.row.mark};
+    target.source.part = row.parts[k] == MeasuredRow::kNoPart ? -1 : std::int32_t(row.parts[k]);
+    if (row.row.of[k].kind == FeatureRow::Kind::Face) target.source.face = row.of[k].number;
+    if (row.row.of[k].kind == FeatureRow::Kind::Edge) target.source.edge = row.of[k].number;
+    for (; k < row.of.size() && row.target[k] == of; ++k) add_tips(shown, k, target);
+    if (target.tips.empty()) {
+      out.rank = Hidden;
+      for (std::size_t other = begin; other < k; ++other) add_hidden_tip(shown, other, target);
+    }
+    if (target.tips.empty()) return std::nullopt;  // cut away
+    const bool narrow = row.row.of[begin].kind == FeatureRow::Kind::Face &&
+                        !(*std::ranges::max_element(target.rooms) > 0);
+    if (out.rank == Best && narrow) out.rank = Second;
+    out.dimension.targets.push_back(std::move(target));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::optional<RowInView> row_in_view(const MeasuredRow& row, const MeasuringView& view,
                                      const FeatureSight& sight, const DimensionOptions& style) {
+  const Shown shown{row, view, sight};
+  if (row.row.kind == Kind::Note) {
+    std::optional<RowInView> note = note_in(shown);
+    if (!note) return note;
+    note->seen = note->rank != Hidden;
+    return note;
+  }
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     const bool point = row.parts[k] == MeasuredRow::kNoPart;
     if (!point && !row.there[view.scene][k]) return std::nullopt;  // cut away
   }
-  const Shown shown{row, view, sight};
   bool end_on = false;
   std::optional<RowInView> out;
   switch (row.row.kind) {
+    case Kind::Note:
+      break;
     case Kind::Distance:
       out = distance_in(shown);
       break;

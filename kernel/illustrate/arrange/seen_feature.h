@@ -14,12 +14,20 @@
 
 namespace burin::detail {
 
-/// A face or an edge of a part, and how far the part moved since its surface was made.
+/// A face, an edge or all of a part, and how far the part moved since its surface was made.
 struct SeenFeature {
   const Surface& surface;
   const Feature& feature;
   FeatureRow::Kind kind;
   Vec3 moved{0};
+  /// Its number in the scene.
+  std::size_t part = 0;
+};
+
+/// A place at which a leader may point, and model mm about it that show the same, 0 on lines.
+struct SeenPlace {
+  Vec3 at{0};
+  double room = 0;
 };
 
 /// What the parts of a scene hide of each other, and of themselves. Parts that are not drawn or of
@@ -32,8 +40,14 @@ class FeatureSight {
   bool shows(const SeenFeature& seen, Vec3 to_viewer) const;
   /// Whether a place just off a surface is seen, `way` off it, unit.
   bool shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const;
+  /// Up to 8 places that are seen, those with the most room first: of a face or a part the middles
+  /// of what is seen of it, by a grid of 48 rays along its longer side; where that meets nothing of
+  /// it, and of an edge, places of the triangles. `axes`: right, up and to the viewer, in rows.
+  std::vector<SeenPlace> seen_places(const SeenFeature& seen, const Mat3& axes) const;
 
  private:
+  std::vector<SeenPlace> places_by_rays(const SeenFeature& seen, const Mat3& axes) const;
+  std::vector<SeenPlace> places_by_triangles(const SeenFeature& seen, Vec3 to_viewer) const;
   std::vector<std::shared_ptr<const Surface>> surfaces_;
   std::unique_ptr<const Occluder> occluder_;
   /// Model mm: how far off a surface rays begin, and from where on they meet something.

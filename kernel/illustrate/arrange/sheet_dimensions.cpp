@@ -1,12 +1,14 @@
 #include "sheet_dimensions.h"
 
 #include <burin/base/error.h>
+#include <burin/base/plugin_error.h>
 #include <burin/camera/view_grid.h>
 #include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "measured_rows.h"
 #include "overall.h"
+#include "row_text.h"
 #include "wanted_views.h"
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -29,6 +32,14 @@ std::string names_of(const std::vector<SheetView>& views) {
 }
 
 bool is_cut_away(const MeasuredRow& row, std::size_t scene) {
+  // Features of one target of a note stand for each other.
+  std::map<std::size_t, bool> left;
+  for (std::size_t k = 0; k < row.target.size(); ++k) {
+    left[row.target[k]] |= row.parts[k] == MeasuredRow::kNoPart || row.there[scene][k];
+  }
+  if (row.row.kind == DimensionRow::Kind::Note) {
+    return std::ranges::any_of(left, [](const auto& one) { return !one.second; });
+  }
   for (std::size_t k = 0; k < row.of.size(); ++k) {
     if (row.parts[k] != MeasuredRow::kNoPart && !row.there[scene][k]) return true;
   }
@@ -91,7 +102,7 @@ SheetDimensions::SheetDimensions(Scene& scene, const Illustration& illustration,
   if (!overall && illustration.measured.empty()) return;
   if (illustration.view.perspective) {
     scene.diagnostics.add(Severity::Warning, "dimensions.not_drawn", 1,
-                          "a perspective view has no dimensions: leave `perspective` out");
+                          "a perspective view has no dimensions or notes: leave `perspective` out");
     return;
   }
   drawn_ = drawn_bounds(scene, illustration.illustrate.part_styles);
@@ -129,6 +140,16 @@ void SheetDimensions::deal(Scene& scene, const Illustration& illustration) {
   }
 }
 
+void SheetDimensions::write_note(const MeasuredRow& row, Dimension& note, Scene& scene) const {
+  try {
+    note.label = note_label(row, style_);
+  } catch (const PluginError& e) {
+    scene.diagnostics.add(Severity::Warning, "plugin.quarantined", 1,
+                          std::string(e.what()) + "; the words of the note are drawn alone");
+    note.label = note_words(row, style_);
+  }
+}
+
 void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   const std::string& wanted = row.row.view;
   const auto is_wanted = [&](const SheetView& view) {
@@ -160,22 +181,25 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
     best = std::move(shown);
     where = i;
   }
+  const char* what =
+      row.row.kind == DimensionRow::Kind::Note ? "what it points at" : "what it measures";
   if (best) {
+    if (row.row.kind == DimensionRow::Kind::Note) write_note(row, best->dimension, scene);
     lists_[where].push_back(std::move(best->dimension));
     if (hidden_in.empty() || wanted.empty()) return;
     return tell_of(row, "dimensions.hidden",
-                   fmt::format("is drawn in the view {}, where what it measures is hidden", wanted),
+                   fmt::format("is drawn in the view {}, where {} is hidden", wanted, what),
                    scene.diagnostics);
   }
-  std::string why = "a section takes what it measures away";
+  std::string why = fmt::format("a section takes {} away", what);
   if (left_out) {
-    why = "the break leaves out what it measures";
+    why = fmt::format("the break leaves out {}", what);
   } else if (!cut && !wanted.empty()) {
     why = fmt::format("the view {} does not show it as it is", wanted);
   } else if (!cut) {
     why = hidden_in.empty()
               ? "no view of the sheet shows it as it is"
-              : fmt::format("what it measures is hidden in the {} {}",
+              : fmt::format("{} is hidden in the {} {}", what,
                             hidden_in.size() > 1 ? "views" : "view", fmt::join(hidden_in, ", "));
     why += advice(row, *sights_.front(), style_);
   }
@@ -188,8 +212,11 @@ ViewDimensions SheetDimensions::of_view(std::size_t i, const Margin& taken) cons
 
 Margin SheetDimensions::room(std::size_t i, const ViewDimensions& dimensions, const Box3& extent,
                              double scale) const {
-  if (dimensions.list.empty()) return dimensions.taken;
-  const Box2 laid = lay_out(dimensions, {views_[i].as.axes, scale, Vec2(0)}, style_).box;
+  // What has a place of its own on the sheet takes none beside the view.
+  ViewDimensions beside = dimensions;
+  std::erase_if(beside.list, [](const Dimension& one) { return one.place.has_value(); });
+  if (beside.list.empty()) return dimensions.taken;
+  const Box2 laid = lay_out(beside, {views_[i].as.axes, scale, Vec2(0)}, style_).box;
   const Vec2 low = scale * Vec2(extent.min), high = scale * Vec2(extent.max);
   Margin room = larger(dimensions.taken, {laid.max.y - high.y, laid.max.x - high.x,
                                           low.y - laid.min.y, low.x - laid.min.x});

@@ -48,6 +48,8 @@ class SheetDimensions {
   void deal(Scene& scene, const Illustration& illustration);
   void keep_clear_of_annotations(const Scene& scene, const Illustration& illustration);
   void deal_row(Scene& scene, const MeasuredRow& row);
+  /// What stands at the end of its leader.
+  void write_note(const MeasuredRow& row, Dimension& note, Scene& scene) const;
 
   const DimensionOptions& style_;
   const std::vector<std::shared_ptr<const FeatureSight>>& sights_;

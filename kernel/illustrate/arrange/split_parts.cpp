@@ -38,9 +38,11 @@ Strings selectors_of(const Illustration& illustration) {
   if (!illustration.explode.base.empty()) all.push_back(illustration.explode.base);
   for (const DetailView& detail : illustration.details) append(all, detail.select);
   for (const ThreadRow& thread : illustration.thread_rows) append(all, thread.select);
-  for (const DimensionRow& row : illustration.dimensions) {
-    for (const FeatureRow& feature : row.of) {
-      if (!feature.part.empty()) all.push_back(feature.part);
+  for (const auto* rows : {&illustration.dimensions, &illustration.note_rows}) {
+    for (const DimensionRow& row : *rows) {
+      for (const FeatureRow& feature : row.of) {
+        if (!feature.part.empty()) all.push_back(feature.part);
+      }
     }
   }
   return all;

@@ -327,7 +327,8 @@ TEST_F(DimensionRows, StayAtTheirFeaturesInAChangedModel) {
   add(Kind::Diameter, {at({28.5, 15, 6})});
   add(Kind::Distance, {at({0, 25, 6}), at({63.25, 40, 8})});
   select_parts(scene_, plan_);
-  const std::vector<DimensionRow> kept = kept_dimensions(scene_, plan_, context_);
+  keep_features(scene_, plan_, context_);
+  const std::vector<DimensionRow> kept = plan_.dimensions;
   ASSERT_TRUE(kept[0].of[0].number);
   const auto changed = [&](double length, const std::vector<Hole>& holes) {
     SetUp();

@@ -37,6 +37,7 @@ extern "C" {
 #define BURIN_READER_1 "burin.reader/1"
 #define BURIN_WRITER_1 "burin.writer/1"
 #define BURIN_WRITER_2 "burin.writer/2"
+#define BURIN_SYMBOL_1 "burin.symbol/1"
 
 enum burin_code {
   BURIN_OK = 0,
@@ -292,6 +293,45 @@ typedef struct burin_writer_2 {
   int32_t (*write)(const burin_color_drawing* drawing, const burin_value* values, burin_write write,
                    burin_output* output, burin_error* error);
 } burin_writer_2;
+
+/** What a symbol is drawn for. */
+typedef struct burin_symbol_request {
+  const char* text; /* of the note; lines are parted by "\n" */
+  double height;    /* paper mm of capital letters */
+  double line;      /* paper mm: the width of lines */
+} burin_symbol_request;
+
+/** What a symbol is made of: paper mm from its lower left corner, y up. All return BURIN_OK or what
+ * the symbol has to return at once, but `width`. */
+typedef struct burin_symbol burin_symbol;
+typedef struct burin_symbol_calls {
+  /** `points`: 2 a point, 2 to 10,000 of them. `closed`: 1 where the last one joins the first. */
+  int32_t (*line)(burin_symbol* symbol, size_t count, const double* points, double width,
+                  int32_t closed);
+  /** Inside is what an odd number of rings holds; `counts`: points of each, 3 to 10,000 in all.
+   * `color`: "#rrggbb"; "": that of lines. Later fills lie over earlier ones. */
+  int32_t (*fill)(burin_symbol* symbol, size_t rings, const size_t* counts, const double* points,
+                  const char* color);
+  /** A line of text; `x`, `y`, `anchor` as of burin_text. */
+  int32_t (*text)(burin_symbol* symbol, double x, double y, double height, int32_t anchor,
+                  const char* text);
+  /** How wide a line of text is, paper mm. */
+  double (*width)(const char* text, double height);
+} burin_symbol_calls;
+
+/** Where it ends: its width and height, and where its leader meets its left or right side, above
+ * the lower edge; `underlined`: 1 where the leader goes on below it, from side to side. */
+typedef struct burin_symbol_box {
+  double width, height, shoulder;
+  int32_t underlined;
+} burin_symbol_box;
+
+/** What stands at the end of the leader of a note. One thread calls it, once a note. */
+typedef struct burin_symbol_1 {
+  int32_t (*draw)(const burin_symbol_request* request, const burin_value* values,
+                  const burin_symbol_calls* calls, burin_symbol* symbol, burin_symbol_box* box,
+                  burin_error* error);
+} burin_symbol_1;
 
 typedef struct burin_factory {
   const char* id;      /* BURIN_DIRECTION_1 ... */

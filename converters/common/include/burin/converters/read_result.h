@@ -34,11 +34,18 @@ struct ModelMarks {
     std::string size = {};
     std::optional<double> length = {};
   };
+  /// Words beside the drawing, with a leader to a part.
+  struct Note {
+    /// Its path.
+    std::string part;
+    std::string text;
+  };
   /// The file, for errors.
   std::string source = {};
   std::vector<Look> looks = {};
   std::vector<Step> steps = {};
   std::vector<Thread> threads = {};
+  std::vector<Note> notes = {};
   bool callouts = false;
   /// Numbers as they are asked for, and the part that each is for; of equal ones the first holds.
   std::vector<std::pair<double, std::string>> items = {};
@@ -46,8 +53,8 @@ struct ModelMarks {
   std::optional<std::string> view = {}, up = {};
 
   bool empty() const {
-    return looks.empty() && steps.empty() && threads.empty() && !callouts && items.empty() &&
-           !view && !up;
+    return looks.empty() && steps.empty() && threads.empty() && notes.empty() && !callouts &&
+           items.empty() && !view && !up;
   }
 };
 

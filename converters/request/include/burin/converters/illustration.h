@@ -78,11 +78,11 @@ std::string exploded_illustration(const std::string& base_illustration, const Dr
                                   const std::filesystem::path& folder,
                                   const std::vector<ExplodeStep>& steps);
 
-/// A file that extends an illustration, `base_illustration`, by its dimensions with what they
-/// measure looks like (`kept_dimensions`). `overall`: whether it has those of the whole drawing.
+/// A file that extends an illustration, `base_illustration`, by its dimensions and notes as
+/// `keep_features` left them.
 std::string kept_illustration(const std::string& base_illustration,
                               const std::filesystem::path& folder,
-                              const std::vector<DimensionRow>& dimensions, bool overall);
+                              const Illustration& kept);
 
 /// The JSON Schema (draft 2020-12) of illustration files.
 std::string illustration_schema();

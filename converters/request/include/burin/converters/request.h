@@ -49,6 +49,8 @@ struct DrawRequest {
   std::vector<ThreadRow> threads = {};
   /// Of features of parts, beside those that the option asks for.
   std::vector<DimensionRow> dimensions = {};
+  /// Before those that options ask for.
+  std::vector<DimensionRow> notes = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.

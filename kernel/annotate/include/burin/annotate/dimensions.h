@@ -1,13 +1,17 @@
 #pragma once
 /// Dimensions: how long, wide or steep something is, on a line beside it.
 
+#include <burin/annotate/label.h>
 #include <burin/base/box.h>
+#include <burin/base/ids.h>
 #include <burin/camera/camera.h>
 #include <burin/camera/sheet.h>
 #include <burin/drawing/drawing.h>
 #include <burin/options/row.h>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,12 +45,30 @@ std::string angle_text(double degrees, const DimensionOptions& style);
 /// Whether a length is as long on paper as it is. `axes`: right, up and to the viewer, in rows.
 bool is_seen_square(const Mat3& axes, Vec3 length);
 
-/// One dimension in space, model mm: where it stands on paper is found for the view that shows it.
+/// What a leader of a note points at.
+struct LeaderTarget {
+  enum class Mark : std::uint8_t {
+    Found,  // a dot where there is room for it, else an arrow
+    Dot,    // within an outline
+    Arrow,  // on a line
+    None,
+  };
+  Mark mark = Mark::Found;
+  SourceId source = {};
+  /// Model mm: any of them will do.
+  std::vector<Vec3> tips = {};
+  /// Model mm about each tip that show the same.
+  std::vector<double> rooms = {};
+};
+
+/// One dimension, or a note, in space, model mm: where it stands on paper is found for the view
+/// that shows it.
 struct Dimension {
   enum class Kind : std::uint8_t {
     Length,  // a line with two arrows between extension lines
     Round,   // a leader to a circle or an arc, for diameters and radii
     Angle,   // an arc with two arrows
+    Note,    // a label, with leaders
   };
   Kind kind = Kind::Length;
   /// Length: its ends. Round: the centre, and a point of the circle, in the middle of an arc.
@@ -66,6 +88,12 @@ struct Dimension {
   bool overall = false;
   /// UTF-8: "80", "⌀20 H7"; deviations behind it, one above the other; empty: none.
   std::string text = {}, upper = {}, lower = {};
+  /// Note: what stands there; leaders of the first target are looked for, those of the others run
+  /// from its elbow.
+  std::shared_ptr<const Label> label = {};
+  std::vector<LeaderTarget> targets = {};
+  /// Note: paper mm of the sheet, its lower left corner; absent: a place is found.
+  std::optional<Vec2> place = {};
 };
 
 /// Places of the circle or arc of a Round dimension where its leader may end.
@@ -93,9 +121,12 @@ struct PaperView {
   Vec2 at(Vec3 p) const { return origin + scale * Vec2(axes * p); }
 };
 
-/// Dimensions as lines, arrows and numbers.
+/// Dimensions and notes as lines, arrows and texts.
 struct LaidDimensions {
   Layer layer{"dimensions", {}};
+  Layer notes{"notes", {}};
+  /// Of the symbols of notes, filled.
+  std::vector<Area> areas = {};
   /// Of all of it, paper mm; empty where there is none.
   Box2 box = {};
 };
@@ -109,8 +140,9 @@ struct LaidDimensions {
 LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                        const DimensionOptions& style, const Drawing* drawn = nullptr);
 
-/// Lays dimensions over a drawing, layer "dimensions". Tells of numbers that run off the sheet
-/// ("dimensions.off_sheet"). The camera is orthographic.
+/// Lays dimensions and notes over a drawing, layers "dimensions" and "notes". Tells of numbers and
+/// notes that run off the sheet ("dimensions.off_sheet", "notes.off_sheet"), and of characters of
+/// notes that the font has not ("text.no_glyph"). The camera is orthographic.
 void lay_dimensions(Drawing& drawing, const Camera& camera, const ViewDimensions& dimensions,
                     const DimensionOptions& style);
 

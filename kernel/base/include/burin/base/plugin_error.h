@@ -13,7 +13,7 @@ namespace burin {
 class PluginError : public Error {
  public:
   /// What it is a row of, for messages, and how a user asks for it.
-  enum class Row { Direction, Law, StrokeKind, Form, Reader, Writer };
+  enum class Row { Direction, Law, StrokeKind, Form, Reader, Writer, Symbol };
 
   PluginError(Row row, std::string name, const std::string& what)
       : Error(what), row_(row), name_(std::move(name)) {}

@@ -135,8 +135,9 @@ struct Area {
   /// The ink of `Drawing::inks` that the fill is a tint of, and its share; empty: none.
   std::string ink = {};
   double tint = 1;
-  /// "legend": a square of it; "pmi": letters and arrows of an annotation; empty: what is seen of
-  /// the part.
+  /// "legend": a square of it; "pmi": letters and arrows of an annotation, or what a symbol fills
+  /// with the colour of lines; "symbol": what one fills with another; empty: what is seen of the
+  /// part.
   std::string role = {};
   /// Closed, paper mm; what is inside an odd number of them.
   std::vector<std::vector<Vec2>> rings;

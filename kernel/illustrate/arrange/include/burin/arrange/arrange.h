@@ -62,12 +62,12 @@ void cut_parts(Scene& scene, Illustration& illustration);
 /// different axes or overlap. Cost: realising all parts, where stretches are to be found or overall
 /// dimensions are drawn.
 void find_breaks(Scene& scene, Illustration& illustration, RunContext& context);
-/// The rows of an illustration with what their faces and edges look like (`FeatureRow::print`), by
-/// which they are found again once the models have changed, once `select_parts` knows which parts
-/// are drawn. Rows that lost their place stay as they are; diagnostics go to `scene`. Throws
-/// UsageError where a row measures nothing. Cost: that of measuring all faces of their parts.
-std::vector<DimensionRow> kept_dimensions(Scene& scene, const Illustration& illustration,
-                                          RunContext& context);
+/// Gives the dimensions and notes of an illustration what their faces and edges look like
+/// (`FeatureRow::print`), by which they are found again once the models have changed, once
+/// `select_parts` knows which parts are drawn. Rows that lost their place stay as they are;
+/// diagnostics go to `scene`. Throws UsageError where a row measures nothing. Cost: that of
+/// measuring all faces of their parts.
+void keep_features(Scene& scene, Illustration& illustration, RunContext& context);
 /// The steps by which a scene comes apart, once `select_parts` knows which parts are drawn: those
 /// of the illustration, or those that are found, as selectors that name the parts. Diagnostics go
 /// to `scene`. Throws UsageError where a selector names nothing.

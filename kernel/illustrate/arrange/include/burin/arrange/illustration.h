@@ -152,8 +152,8 @@ struct Illustration {
   bool overall_dimensions = false;
   /// What these are: arranging finds it, before anything is cut or moved.
   std::optional<Box3> whole = {};
-  /// Dimensions of features of parts; `measured`: what arranging makes of them.
-  std::vector<DimensionRow> dimensions = {};
+  /// Dimensions of features of parts, and notes; `measured`: what arranging makes of them.
+  std::vector<DimensionRow> dimensions = {}, note_rows = {};
   std::vector<MeasuredRow> measured = {};
   /// What hides what is measured, in the scenes of `MeasuredRow::there`: what arranging makes.
   std::vector<std::shared_ptr<const detail::FeatureSight>> sights = {};

@@ -1,0 +1,108 @@
+// Notes, from the command line, in illustration files and in OpenSCAD programs.
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::json;
+
+class NotesOfDrawings : public test::CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    folder_.write("box.csg", "cube(size = [40, 20, 10], center = false);\n");
+  }
+  Json layer() {
+    const Json drawing = Json::parse(test::slurp(folder_ / "a.json"));
+    for (const Json& one : drawing.at("layers")) {
+      if (one.at("name") == "notes") return one;
+    }
+    return {{"paths", Json::array()}, {"texts", Json::array()}};
+  }
+  std::string illustration(const std::string& rows) {
+    return R"({"burin": "illustration", "version": 1, "parts": [{"file": "box.csg"}],
+"style": "outline", "view": {"from": "iso"}, "paper": "a4",
+"notes": [)" +
+           rows + "]}";
+  }
+  std::string refused(const std::string& rows) {
+    folder_.write("a.burin.json", illustration(rows));
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << rows;
+    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    return err_;
+  }
+};
+
+TEST_F(NotesOfDrawings, AreWordsWithALeaderToTheirPart) {
+  ASSERT_EQ(run("draw @/box.csg --note box=Oil\\nbefore -o @/a.json -o @/a.svg"), 0) << err_;
+  const Json notes = layer();
+  ASSERT_EQ(notes.at("texts").size(), 2U);
+  EXPECT_EQ(notes.at("texts")[0].at("text"), "Oil");
+  EXPECT_EQ(notes.at("texts")[0].at("role"), "note");
+  EXPECT_EQ(notes.at("paths")[0].at("part"), 0);
+  EXPECT_NE(test::slurp(folder_ / "a.svg").find(">before<"), std::string::npos);
+  // The sheet keeps room for it.
+  for (const Json& text : notes.at("texts")) {
+    EXPECT_GT(text.at("at")[0].get<double>(), 0);
+    EXPECT_LT(text.at("at")[0].get<double>(), 297);
+  }
+}
+
+TEST_F(NotesOfDrawings, OfAnIllustrationHaveFramesMarksAndPlaces) {
+  folder_.write("a.burin.json", illustration(R"({"at": [[20, 0, 5], {"point": [40, 20, 10]}],
+    "text": "{area} mm2", "frame": true, "mark": "arrow"},
+    {"text": "ISO 2768-m", "place": [20, 15]}, "box=v = {volume}")"));
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json"), 0) << err_;
+  const Json notes = layer();
+  ASSERT_EQ(notes.at("texts").size(), 3U);
+  EXPECT_EQ(notes.at("texts")[0].at("text"), "400 mm2");
+  EXPECT_EQ(notes.at("texts")[1].at("text"), "ISO 2768-m");
+  EXPECT_NEAR(notes.at("texts")[1].at("at")[0].get<double>(), 20, 2);
+  EXPECT_NEAR(notes.at("texts")[1].at("at")[1].get<double>(), 15, 2);
+  EXPECT_EQ(notes.at("texts")[2].at("text"), "v = 8000");
+}
+
+TEST_F(NotesOfDrawings, KeepTheirFacesInChangedModels) {
+  folder_.write("a.burin.json", illustration(R"({"at": [20, 0, 5], "text": "front"})"));
+  ASSERT_EQ(run("illustrate @/a.burin.json -o @/kept.burin.json"), 0) << err_;
+  const Json kept = Json::parse(test::slurp(folder_ / "kept.burin.json"));
+  EXPECT_EQ(kept["notes"][0]["at"]["kept"]["kind"], "plane");
+  EXPECT_FALSE(kept.contains("dimensions"));
+  EXPECT_EQ(run("draw @/kept.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_EQ(layer().at("texts").size(), 1U);
+}
+
+TEST_F(NotesOfDrawings, OfAProgramStandAtItsParts) {
+  folder_.write("burin.scad",
+                test::slurp(std::string(BURIN_SOURCE_DIR) + "/samples/openscad/burin.scad"));
+  folder_.write("a.scad",
+                "use <burin.scad>\npart(\"lid\") note(\"{part.name}!\") cube(9);\n"
+                "note(\"base\") part(\"base\") translate([20,0,0]) cube(9);\n");
+  ASSERT_EQ(run("draw @/a.scad -o @/a.json"), 0) << err_;
+  const Json notes = layer();
+  ASSERT_EQ(notes.at("texts").size(), 2U);
+  EXPECT_EQ(notes.at("texts")[0].at("text"), "lid!");
+  EXPECT_EQ(notes.at("texts")[1].at("text"), "base");
+}
+
+TEST_F(NotesOfDrawings, SayInOneLineWhatIsWrong) {
+  EXPECT_NE(refused(R"({"at": "box"})").find("a note has \"text\""), std::string::npos);
+  EXPECT_NE(refused(R"({"text": "a"})").find("\"at\""), std::string::npos);
+  EXPECT_NE(refused(R"({"at": "lid", "text": "a"})").find("no part is named 'lid'"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"at": "box", "text": "{mass}"})").find("{mass}"), std::string::npos);
+  EXPECT_NE(refused(R"({"at": "box", "text": "a", "mark": "cross"})").find("dot"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"at": [], "text": "a"})").find("names nothing"), std::string::npos);
+  EXPECT_EQ(run("draw @/box.csg --note box -o @/a.json"), 2);
+  EXPECT_EQ(run("draw @/box.csg --note box={radius} -o @/a.json"), 2);
+  EXPECT_NE(err_.find("has no {radius}"), std::string::npos) << err_;
+}
+
+}  // namespace
+}  // namespace burin
