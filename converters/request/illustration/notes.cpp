@@ -112,7 +112,7 @@ std::vector<std::string> symbol_names() {
 KeyRow<DimensionRow> symbol_row() {
   return {
       .name = "symbol",
-      .schema = {{"description", "what the text stands in"}, {"enum", symbol_names()}},
+      .schema = {{"description", "what is drawn about or beside the text"}, {"enum", symbol_names()}},
       .read =
           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
             to.symbol = in.text(value, path);
@@ -184,7 +184,7 @@ DimensionRow read_note(const KeyedFile& in, const Json& value, const std::string
   start.kind = DimensionRow::Kind::Note;
   DimensionRow row = read_object(note_key_rows(), in, value, path, start);
   if (row.of.empty() && !row.at_sheet) {
-    in.fail(path, "a note has \"at\", what it points at, or \"place\", where it stands");
+    in.fail(path, "a note has \"at\", what it points at, or \"place\", mm of the sheet");
   }
   if (row.text.empty() && row.symbol.empty()) {
     in.fail(path + "/text", "a note without words has a \"symbol\"");

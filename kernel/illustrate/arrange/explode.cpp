@@ -5,9 +5,9 @@
 #include <burin/explode/seen.h>
 
 #include "drawn_shape.h"
-#include "measured_rows.h"
+#include "rows/measured_rows.h"
+#include "rows/seen_feature.h"
 #include "saved_view.h"
-#include "seen_feature.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>

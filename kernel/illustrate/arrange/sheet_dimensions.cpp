@@ -6,9 +6,9 @@
 #include <burin/illustrate/ground.h>
 #include <burin/illustrate/illustrate.h>
 
-#include "measured_rows.h"
 #include "overall.h"
-#include "row_text.h"
+#include "rows/measured_rows.h"
+#include "rows/row_text.h"
 #include "wanted_views.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include <burin/surface/scene.h>
 
 #include "broken_view.h"
-#include "row_in_view.h"
+#include "rows/row_in_view.h"
 
 #include <array>
 #include <cstddef>

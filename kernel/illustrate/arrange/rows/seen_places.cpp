@@ -40,7 +40,7 @@ class SeenCells {
     }
   }
 
-  /// The middles of what is seen, each beyond the room of those before.
+  /// The middles of what is seen, each beyond twice the radius of those before.
   std::vector<SeenPlace> middles() const {
     std::vector<double> room = rooms();
     std::vector<SeenPlace> out;
