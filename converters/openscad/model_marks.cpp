@@ -60,6 +60,7 @@ class Gatherer {
     if (call.mark.what == "callout") return callout(call, names);
     if (call.mark.what == "thread") return thread(call, names);
     if (call.mark.what == "note") return note(call, names);
+    if (call.mark.what == "arrow") return arrow(call, names);
     report(fmt::format("burin.scad asks for {}, which this Burin does not know",
                        in_quotes(call.mark.what)));
   }
@@ -80,17 +81,30 @@ class Gatherer {
     }
   }
 
-  void explode(const PartCall& call, const std::vector<std::string>& names) {
+  /// The direction that a call has first, turned as the parts are, not moved; 0: none.
+  static Vec3 way_of(const PartCall& call) {
     const Json& by = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
     const bool numbers = by.is_array() && by.size() == 3 &&
                          std::ranges::all_of(by, [](const Json& v) { return v.is_number(); });
     Vec3 way(0);
     for (int i = 0; numbers && i < 3; ++i) {
       const auto& row = call.at.row[static_cast<std::size_t>(i)];
-      // A direction: turned as the parts are, not moved.
       for (std::size_t k = 0; k < 3; ++k) way[i] += row[k] * by[k].get<double>();
     }
-    if (!(std::hypot(way.x, way.y, way.z) > 0)) {
+    return std::isfinite(std::hypot(way.x, way.y, way.z)) ? way : Vec3(0);
+  }
+
+  void arrow(const PartCall& call, const std::vector<std::string>& names) {
+    const Vec3 way = way_of(call);
+    if (way == Vec3(0)) {
+      return report("arrow() takes a direction, as in arrow([0, 0, -1]) screw();");
+    }
+    for (const std::string& name : names) marks_.arrows.push_back({name, way});
+  }
+
+  void explode(const PartCall& call, const std::vector<std::string>& names) {
+    const Vec3 way = way_of(call);
+    if (way == Vec3(0)) {
       return report("explode() takes lengths in mm, as in explode([0, 0, 30]) lid();");
     }
     marks_.steps.push_back({names, way});

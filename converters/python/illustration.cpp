@@ -154,6 +154,7 @@ py::dict illustration(const py::object& source) {
   out["threads"] = list_at(members, "threads");
   out["dimensions"] = list_at(members, "dimensions");
   out["notes"] = list_at(members, "notes");
+  out["arrows"] = list_at(members, "arrows");
   py::dict items;
   for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
@@ -230,7 +231,7 @@ void add_illustration(py::module_& module) {
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
       "\"looks\"; \"sections\", \"explode\", \"breaks\", \"details\", \"threads\", "
-      "\"dimensions\" and \"notes\" unchanged; "
+      "\"dimensions\", \"notes\" and \"arrows\" unchanged; "
       "\"views\", "
       "names, and "
       "\"projection\"; \"items\", number to name; \"title_block\" unchanged; "

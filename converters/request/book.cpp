@@ -23,6 +23,8 @@ std::vector<std::string> about_one_drawing(const DrawPlan& plan) {
         {own_view, "`section_view`"},
         {plan.overall_dimensions || !plan.dimensions.empty(), "`dimensions`"},
         {!plan.note_rows.empty(), "`note`"},
+        {!plan.arrows.empty(), "`arrow`"},
+        {plan.step_arrows, "`arrows`"},
         {!plan.breaks.empty(), "`break_view`"},
         {!plan.details.empty(), "`detail`"},
         {plan.legend, "`legend`"},

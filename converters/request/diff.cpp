@@ -83,6 +83,12 @@ void leave_out(DrawPlan& plan) {
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    "dimensions have no effect on a drawing of two revisions");
   }
+  if (!plan.arrows.empty() || plan.step_arrows) {
+    plan.arrows.clear();
+    plan.step_arrows = false;
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   "arrows have no effect on a drawing of two revisions");
+  }
   if (!plan.note_rows.empty()) {
     plan.note_rows.clear();
     plan.notes.add(Severity::Warning, "option.unused", 1,

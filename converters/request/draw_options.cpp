@@ -5,6 +5,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
 
+#include "arrow_option.h"
 #include "explode_option.h"
 #include "note_option.h"
 #include "section_option.h"
@@ -141,9 +142,9 @@ std::vector<RequestRow<Draft>> run_rows() {
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;
-    for (const auto& group :
-         {look_option_rows(), part_option_rows(), section_rows(), explode_option_rows(),
-          item_option_rows(), thread_rows(), note_rows(), view_rows(), sheet_rows(), run_rows()}) {
+    for (const auto& group : {look_option_rows(), part_option_rows(), section_rows(),
+                              explode_option_rows(), item_option_rows(), thread_rows(), note_rows(),
+                              arrow_rows(), view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;

@@ -131,12 +131,17 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
   std::vector<LookRequest> looks;
   std::vector<ThreadRow> threads;
   std::vector<DimensionRow> notes;
+  std::vector<ArrowRow> arrows;
   const bool numbered = !request.items.empty(), seen = request.has("view");
   const bool turned = request.has("up"), chosen = request.has("callouts");
   for (const ModelMarks& one : marks) {
     add_marked_looks(one, looks);
     std::ranges::move(threads_of(one), std::back_inserter(threads));
     std::ranges::move(notes_of(one), std::back_inserter(notes));
+    for (const ModelMarks::Arrow& mark : one.arrows) {
+      arrows.push_back({.select = {mark.part}, .along = mark.along});
+      arrows.back().place = one.source + ": ";
+    }
     check_view(one);
     // Of what only one model may ask, the last one counts.
     if (one.callouts && !chosen) request.options["callouts"] = {"true"};
@@ -151,6 +156,7 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
   request.looks.insert(request.looks.begin(), looks.begin(), looks.end());
   request.threads.insert(request.threads.begin(), threads.begin(), threads.end());
   request.notes.insert(request.notes.begin(), notes.begin(), notes.end());
+  request.arrows.insert(request.arrows.begin(), arrows.begin(), arrows.end());
   return request;
 }
 
@@ -169,6 +175,9 @@ void detail::follow_marks(const std::vector<ModelMarks>& marks, const DrawReques
   const auto noted = all.notes.size() - request.notes.size();
   plan.note_rows.insert(plan.note_rows.begin(), all.notes.begin(),
                         all.notes.begin() + static_cast<std::ptrdiff_t>(noted));
+  const auto arrowed = all.arrows.size() - request.arrows.size();
+  plan.arrows.insert(plan.arrows.begin(), all.arrows.begin(),
+                     all.arrows.begin() + static_cast<std::ptrdiff_t>(arrowed));
   // The way that parts come apart is the model's; whether they do is not.
   Explode explode;
   for (const ModelMarks& one : marks) add_steps(one, explode);

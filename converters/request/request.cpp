@@ -149,6 +149,10 @@ Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
   };
   const bool threads =
       plan.style.feature.threads || std::ranges::any_of(plan.looks, shows, &Look::style);
+  if (plan.step_arrows && !plan.explode.wanted) {
+    note(fmt::format("{} has no effect without {}", called("arrows", plan.spelling),
+                     called("explode", plan.spelling)));
+  }
   if (has("thread") && !threads) {
     note(fmt::format("{} has no effect: style key feature.threads is false",
                      called("thread", plan.spelling)));
@@ -204,6 +208,7 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   plan.thread_rows = request.threads;
   plan.dimensions = request.dimensions;
   plan.note_rows = request.notes;
+  plan.arrows = request.arrows;
   plan.illustrate.part_styles = part_styles;
   plan.spelling = spelling;
   draft.looks = request.looks;

@@ -50,6 +50,12 @@ module note(text) {
   children();
 }
 
+// An arrow before the children, the way that they move, [x, y, z].
+module arrow(along) {
+  burin_says("arrow", [along]);
+  children();
+}
+
 // A polyhedron without faces, which OpenSCAD makes nothing of; its points hold what is said.
 module burin_says(what, arguments) {
   polyhedron(points = concat([[0.271828, 0.314159, 0.141421]], burin_points(concat([what], arguments))),

@@ -90,6 +90,65 @@ TEST_F(NotesOfDrawings, OfAProgramStandAtItsParts) {
   EXPECT_EQ(notes.at("texts")[1].at("text"), "base");
 }
 
+class ArrowsOfDrawings : public NotesOfDrawings {
+ protected:
+  std::string with_arrows(const std::string& rows) {
+    return R"({"burin": "illustration", "version": 1, "parts": [{"file": "box.csg"}],
+"view": {"from": "iso"},
+"arrows": )" +
+           rows + "}";
+  }
+  std::vector<std::string> parts() {
+    std::vector<std::string> names;
+    const Json drawing = Json::parse(test::slurp(folder_ / "a.json"));
+    for (const Json& part : drawing.at("parts")) names.push_back(part.at("name"));
+    return names;
+  }
+  std::string refused_arrow(const std::string& row) {
+    folder_.write("a.burin.json", with_arrows(row));
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << row;
+    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    return err_;
+  }
+};
+
+TEST_F(ArrowsOfDrawings, ComeFromTheCommandTheFileAndTheProgram) {
+  using Names = std::vector<std::string>;
+  ASSERT_EQ(run("draw @/box.csg --arrow box=0,0,1 -o @/a.json"), 0) << err_;
+  EXPECT_EQ(parts(), (Names{"box", "arrow 1"}));
+  folder_.write("a.burin.json", with_arrows(R"(["box=1,0,0",
+    {"at": "box", "about": [0, 0, 1], "degrees": -180, "color": "orange"},
+    {"from": [0, 0, 20], "to": [40, 0, 20], "width": 3}])"));
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_EQ(parts(), (Names{"box", "arrow 1", "arrow 2", "arrow 3"}));
+  bool orange = false;
+  const Json drawing = Json::parse(test::slurp(folder_ / "a.json"));
+  for (const Json& area : drawing.at("areas")) orange |= !area.value("fill", "").empty();
+  EXPECT_TRUE(orange);
+  folder_.write("burin.scad",
+                test::slurp(std::string(BURIN_SOURCE_DIR) + "/samples/openscad/burin.scad"));
+  folder_.write("a.scad", "use <burin.scad>\nrotate([90,0,0]) arrow([0,0,1]) cube(9);\n");
+  ASSERT_EQ(run("draw @/a.scad -o @/a.json"), 0) << err_;
+  EXPECT_EQ(parts(), (Names{"a", "arrow 1"}));
+  ASSERT_EQ(run("draw @/box.csg --arrows steps -o @/a.json"), 0);
+  EXPECT_NE(err_.find("--arrows has no effect without option --explode"), std::string::npos) << err_;
+}
+
+TEST_F(ArrowsOfDrawings, SayInOneLineWhatIsWrong) {
+  EXPECT_NE(refused_arrow(R"({"at": "box"})").find("\"along\""), std::string::npos);
+  EXPECT_NE(refused_arrow(R"({"along": [0, 0, 1]})").find("\"at\""), std::string::npos);
+  EXPECT_NE(refused_arrow(R"({"at": "lid", "along": [0, 0, 1]})").find("'lid'"), std::string::npos);
+  EXPECT_NE(refused_arrow(R"({"at": "box", "about": [0, 0, 1], "degrees": 400})").find("340"),
+            std::string::npos);
+  EXPECT_NE(refused_arrow(R"({"from": [0, 0, 1], "to": [0, 0, 1]})").find("two points"),
+            std::string::npos);
+  EXPECT_NE(refused_arrow(R"({"at": "box", "along": [0, 0, 1], "color": "bleu"})").find("bleu"),
+            std::string::npos);
+  EXPECT_NE(refused_arrow(R"("all")").find("steps"), std::string::npos);
+  EXPECT_EQ(run("draw @/box.csg --arrow box=up -o @/a.json"), 2);
+}
+
 TEST_F(NotesOfDrawings, SayInOneLineWhatIsWrong) {
   EXPECT_NE(refused(R"({"at": "box"})").find("a note has \"text\""), std::string::npos);
   EXPECT_NE(refused(R"({"text": "a"})").find("\"at\""), std::string::npos);

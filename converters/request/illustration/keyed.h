@@ -112,7 +112,7 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
     take_items, take_parts_list, take_breaks, take_details, take_threads, take_dimensions,
-    take_notes, take_title_block;
+    take_notes, take_arrows, take_title_block;
 
 /// What these keys take.
 Json parts_schema();
@@ -125,6 +125,7 @@ Json breaks_schema();
 Json details_schema();
 Json threads_schema();
 Json notes_schema();
+Json arrows_schema();
 Json dimensions_schema();
 Json title_block_schema();
 /// A name, or the members of a style file.
@@ -136,6 +137,7 @@ Json write_looks(const std::vector<LookRequest>& looks);
 Json write_lights(const std::vector<tone::Light>& lights);
 Json write_explode(const Explode& explode);
 Json write_items(const ItemNumbers& items);
+Json write_arrows(const DrawRequest& request);
 Json write_notes(const DrawRequest& request);
 Json write_threads(const std::vector<ThreadRow>& threads, const Request& options);
 /// Those that options say.

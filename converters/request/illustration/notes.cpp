@@ -66,7 +66,7 @@ std::vector<KeyRow<DimensionRow>> own_rows() {
            words("what is written, lines parted by \\n; {part.name}, {item}, {length}, {area}, "
                  "{diameter}, {radius} and {volume} are of the first thing it points at"),
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
-                  DimensionRow& to) { to.text = value == "" ? "" : in.text(value, path); },
+                  DimensionRow& to) { to.text = value == Json("") ? "" : in.text(value, path); },
        .write = [](const DimensionRow& from) { return Json(from.text); },
        .missing = "a note has \"{}\"; \"\" is none"},
       {.name = "frame",
@@ -112,7 +112,8 @@ std::vector<std::string> symbol_names() {
 KeyRow<DimensionRow> symbol_row() {
   return {
       .name = "symbol",
-      .schema = {{"description", "what is drawn about or beside the text"}, {"enum", symbol_names()}},
+      .schema = {{"description", "what is drawn about or beside the text"},
+                 {"enum", symbol_names()}},
       .read =
           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
             to.symbol = in.text(value, path);
@@ -125,7 +126,7 @@ KeyRow<DimensionRow> symbol_row() {
 }
 
 /// "weld_joint" of the option "joint" of "weld".
-KeyRow<DimensionRow> symbol_option_row(std::string symbol, const DeclaredOption& declared) {
+KeyRow<DimensionRow> symbol_option_row(const std::string& symbol, const DeclaredOption& declared) {
   Json schema = Json::parse(value_schema(declared.option));
   schema["description"] = declared.option.meaning;
   return {.name = symbol + "_" + declared.option.name,

@@ -62,13 +62,13 @@ void add_mark(const Leader& leader, const DimensionOptions& style, DimensionPlac
 
 DimensionPlace leader_place(const Leader& leader, const LeaderEnd& end,
                             const DimensionGround& ground, double limit) {
-  const auto& [tip, way, mark, source] = leader;
+  const Vec2 tip = leader.tip, way = leader.way;
   const double exit = exit_of(tip, tip, way, ground.outline);
   const auto make = [&](int step) {
     DimensionPlace out;
     const double length = exit + ground.taken_in(way) + kElbow + step * ground.step();
     const Vec2 elbow = tip + length * way;
-    add_leader_piece(tip, elbow, source, ground.style.line, out);
+    add_leader_piece(tip, elbow, leader.source, ground.style.line, out);
     add_mark(leader, ground.style, out);
     end.lay(elbow, way.x < 0 ? -1 : 1, out);
     // At 45 degrees rather than steeper or flatter; to the right, above.

@@ -4,6 +4,7 @@
 #include <burin/explode/explode.h>
 #include <burin/explode/seen.h>
 
+#include "arrows.h"
 #include "drawn_shape.h"
 #include "rows/measured_rows.h"
 #include "rows/seen_feature.h"
@@ -112,10 +113,13 @@ std::vector<ExplodeStep> explode_steps(Scene& scene, const Illustration& illustr
 
 namespace {
 
-void place_parts(Scene& scene, Illustration& illustration, RunContext& context) {
+/// By the steps that are given back.
+std::vector<ExplodeStep> place_parts(Scene& scene, Illustration& illustration,
+                                     RunContext& context) {
   if (!illustration.explode.wanted) {
     cut_parts(scene, illustration);
-    return detail::look_at_cuts(scene, illustration, context);
+    detail::look_at_cuts(scene, illustration, context);
+    return {};
   }
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
@@ -131,6 +135,7 @@ void place_parts(Scene& scene, Illustration& illustration, RunContext& context) 
   detail::look_at_cuts(scene, illustration, context);
   move_parts(scene, moves);
   for (const SectionView& view : illustration.section_views) move_parts(*view.scene, moves);
+  return steps;
 }
 
 /// Centre lines go beyond the outline, to which a drawing is fitted.
@@ -172,8 +177,9 @@ void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context
   number_parts(scene, illustration, context);
   detail::number_notes(illustration);
   find_threads(scene, illustration, context);
-  place_parts(scene, illustration, context);
+  const std::vector<ExplodeStep> steps = place_parts(scene, illustration, context);
   find_breaks(scene, illustration, context);
+  detail::add_arrows(scene, illustration, steps);
   detail::look_at_sights(scene, illustration, context);
   add_title_block(illustration);
   std::optional<Annotations>& over = illustration.illustrate.annotations;

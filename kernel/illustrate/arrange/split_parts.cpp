@@ -38,6 +38,7 @@ Strings selectors_of(const Illustration& illustration) {
   if (!illustration.explode.base.empty()) all.push_back(illustration.explode.base);
   for (const DetailView& detail : illustration.details) append(all, detail.select);
   for (const ThreadRow& thread : illustration.thread_rows) append(all, thread.select);
+  for (const ArrowRow& arrow : illustration.arrows) append(all, arrow.select);
   for (const auto* rows : {&illustration.dimensions, &illustration.note_rows}) {
     for (const DimensionRow& row : *rows) {
       for (const FeatureRow& feature : row.of) {

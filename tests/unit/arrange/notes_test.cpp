@@ -1,4 +1,6 @@
 // Notes point at what the view shows, and say what the model says.
+#include <burin/base/error.h>
+
 #include "measured_sheet.h"
 
 #include <BRepAlgoAPI_Cut.hxx>

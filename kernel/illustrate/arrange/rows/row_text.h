@@ -16,8 +16,8 @@ std::string replaced(std::string text, const std::string& name, const std::strin
 
 /// What stands at the end of a note's leader. Throws PluginError where a plug-in draws it and
 /// fails.
-std::shared_ptr<const Label> note_label(const MeasuredRow& row, const DimensionOptions& style);
+std::shared_ptr<const Label> note_label(const MeasuredRow& row, const DimensionOptions& sheet);
 /// The words of it alone.
-std::shared_ptr<const Label> note_words(const MeasuredRow& row, const DimensionOptions& style);
+std::shared_ptr<const Label> note_words(const MeasuredRow& row, const DimensionOptions& sheet);
 
 }  // namespace burin::detail

@@ -40,12 +40,19 @@ struct ModelMarks {
     std::string part;
     std::string text;
   };
+  /// An arrow before a part, the way that it moves.
+  struct Arrow {
+    /// Its path.
+    std::string part;
+    Vec3 along{0};
+  };
   /// The file, for errors.
   std::string source = {};
   std::vector<Look> looks = {};
   std::vector<Step> steps = {};
   std::vector<Thread> threads = {};
   std::vector<Note> notes = {};
+  std::vector<Arrow> arrows = {};
   bool callouts = false;
   /// Numbers as they are asked for, and the part that each is for; of equal ones the first holds.
   std::vector<std::pair<double, std::string>> items = {};
@@ -53,8 +60,8 @@ struct ModelMarks {
   std::optional<std::string> view = {}, up = {};
 
   bool empty() const {
-    return looks.empty() && steps.empty() && threads.empty() && notes.empty() && !callouts &&
-           items.empty() && !view && !up;
+    return looks.empty() && steps.empty() && threads.empty() && notes.empty() && arrows.empty() &&
+           !callouts && items.empty() && !view && !up;
   }
 };
 

@@ -81,8 +81,7 @@ std::string exploded_illustration(const std::string& base_illustration, const Dr
 /// A file that extends an illustration, `base_illustration`, by its dimensions and notes as
 /// `keep_features` left them.
 std::string kept_illustration(const std::string& base_illustration,
-                              const std::filesystem::path& folder,
-                              const Illustration& kept);
+                              const std::filesystem::path& folder, const Illustration& kept);
 
 /// The JSON Schema (draft 2020-12) of illustration files.
 std::string illustration_schema();

@@ -51,6 +51,7 @@ struct DrawRequest {
   std::vector<DimensionRow> dimensions = {};
   /// Before those that options ask for.
   std::vector<DimensionRow> notes = {};
+  std::vector<ArrowRow> arrows = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.

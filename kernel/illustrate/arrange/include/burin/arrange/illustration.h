@@ -3,6 +3,7 @@
 /// libburin_io makes of options and illustration files. `arrange.h` follows it. Parts are named by
 /// selectors (burin/assembly/select.h).
 
+#include <burin/arrange/arrow.h>
 #include <burin/arrange/break.h>
 #include <burin/arrange/dimension_row.h>
 #include <burin/arrange/section.h>
@@ -157,6 +158,9 @@ struct Illustration {
   std::vector<MeasuredRow> measured = {};
   /// What hides what is measured, in the scenes of `MeasuredRow::there`: what arranging makes.
   std::vector<std::shared_ptr<const detail::FeatureSight>> sights = {};
+  /// How parts move; `step_arrows`: also an arrow for each step of an exploded view, the way back.
+  std::vector<ArrowRow> arrows = {};
+  bool step_arrows = false;
   /// What is laid over the drawing; items are found where one of these is, or `items`, which
   /// formats do that list them.
   bool callouts = false, parts_list = false, legend = false, items = false;
