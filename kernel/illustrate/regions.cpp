@@ -155,24 +155,29 @@ const FaceColors* colors_of(const RegionOptions& options, std::size_t part) {
   return part < options.colors.size() ? options.colors[part].get() : nullptr;
 }
 
+bool tells_faces(const RegionOptions& options, std::size_t part) {
+  return part < options.faces.size() && options.faces[part];
+}
+
 /// Lines that the drawing has none of.
 std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& occluders,
                                  const Camera& camera, const RegionOptions& options,
                                  const LightView* light, const RunContext& context) {
   std::vector<Curve3> out;
   const auto proxies = occluders.solid_proxies();
+  const bool faces = std::ranges::find(options.faces, true) != options.faces.end();
   const FeatureOptions silent{.contours = false,
                               .creases = false,
                               .boundaries = false,
                               .intersections = !options.found.intersections,
-                              .smooth = options.faces && !options.found.smooth,
-                              .seams = options.faces && !options.found.seams};
+                              .smooth = faces && !options.found.smooth,
+                              .seams = faces && !options.found.seams};
   if (silent.intersections || silent.smooth || silent.seams) {
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
   }
-  const FeatureOptions lines{.smooth = options.faces || options.found.smooth,
-                             .seams = options.faces || options.found.seams};
+  const FeatureOptions lines{.smooth = faces || options.found.smooth,
+                             .seams = faces || options.found.seams};
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const FaceColors* colors = colors_of(options, i);
     if (!colors) continue;
@@ -242,7 +247,7 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
     const ProxyMesh& proxy = *proxies[part];
     const auto steps = static_cast<std::int32_t>(options.tones[part].levels.size());
     const bool cut = proxy.is_cut(hit->point.face);
-    if (options.faces || cut) label.face = proxy.face_source(hit->point.face);
+    if (cut || tells_faces(options, part)) label.face = proxy.face_source(hit->point.face);
     const FaceColors* colors = colors_of(options, part);
     if (colors && !cut) label.color = colors->at(proxy.face_source(hit->point.face));
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.

@@ -27,8 +27,8 @@ struct RegionOptions {
   std::vector<Isophotes> tones{};
   /// One a part, or fewer: the colours of its faces that part it; absent: it has one.
   std::vector<std::shared_ptr<const FaceColors>> colors{};
-  /// Whether faces of the input are told apart.
-  bool faces = false;
+  /// One a part, or fewer: whether its faces are told apart.
+  std::vector<bool> faces{};
   /// Paper mm: specks of tone narrower than this go to the step beside them.
   double pen = 0;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.

@@ -110,6 +110,15 @@ RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
   return options;
 }
 
+// Whose faces are areas of their own.
+std::vector<bool> told_faces(const PartStyles& part_styles, bool all) {
+  std::vector<bool> out;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    out.push_back(part_styles.drawn(i) && (all || part_styles.style(i).fill.faces));
+  }
+  return out;
+}
+
 // Where areas of a step hold the darker ones.
 std::vector<bool> nested_fills(const PartStyles& part_styles) {
   std::vector<bool> out;
@@ -206,8 +215,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
   const auto& over = options.annotations;
   // A title block alone is about no part.
   const bool pointed_at = over && (!over->items.empty() || !over->title_block);
-  const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
-                       style.shadow.cast || style.shadow.ground;
+  const std::vector<bool> faces = told_faces(part_styles, options.face_areas);
+  const bool regions = std::ranges::find(faces, true) != faces.end() || paints(part_styles) ||
+                       hatches(part_styles) || style.shadow.cast || style.shadow.ground;
   std::shared_ptr<std::optional<LightView>> light;
   if (style.shadow.cast || style.shadow.ground) {
     light = light_.get({occluders, to_light}, [&] {
@@ -223,7 +233,7 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
     if (regions) {
       Parted parted{lines, wanted.box,
                     region_options(scene, part_styles, camera, style.shadow.cast)};
-      parted.options.faces = options.face_areas;
+      parted.options.faces = faces;
       parted.options.pen = style.line.crease;
       if (style.shadow.cast) parted.options.shadows = to_light;
       const auto parts = regions_.get(parted, [&] {
