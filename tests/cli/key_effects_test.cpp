@@ -16,17 +16,17 @@ using Json = nlohmann::json;
 /// Values that differ from those of any built-in style.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all = {
-      {"fill.color", "#a0b0c0"},  {"fill.opacity", "0.5"},      {"fill.ink", "Own"},
-      {"fill.tint", "0.77"},      {"fill.legend", "false"},     {"fill.hatch", "cross"},
-      {"fill.hatch_angle", "30"}, {"fill.hatch_distance", "2"}, {"fill.hatch_width", "0.3"},
-      {"fill.hatch_tones", "2"},  {"fill.hatch_color", "fill"}, {"shadow.color", "#778899"},
-      {"fill.faces", "true"},     {"tone.law", "silhouette"},   {"tone.light", "1,0.2,0.4"},
-      {"tone.ambient", "0.02"},   {"tone.diffuse", "0.3"},      {"tone.reflected", "0.6"},
-      {"tone.specular", "1.5"},   {"tone.shininess", "3"},      {"tone.decay", "1.2"},
-      {"tone.shadow", "0.7"},     {"tone.shadow_width", "30"},  {"tone.highlight", "1.7"},
-      {"tone.rim", "0.8"},        {"tone.ink", "light"},        {"tone.median_min", "0.38"},
-      {"tone.median_max", "0.3"}, {"tone.contrast", "0.4"},     {"tone.gradient", "0.4"},
-      {"tone.steps", "4"},        {"tone.darkest", "0.33"}};
+      {"fill.color", "#a0b0c0"},   {"fill.opacity", "0.5"},      {"fill.ink", "Own"},
+      {"fill.tint", "0.77"},       {"fill.legend", "false"},     {"fill.hatch", "cross"},
+      {"fill.hatch_angle", "30"},  {"fill.hatch_distance", "2"}, {"fill.hatch_width", "0.3"},
+      {"fill.hatch_tones", "2"},   {"fill.hatch_color", "fill"}, {"shadow.color", "#778899"},
+      {"fill.faces", "true"},      {"fill.shadow", "false"},     {"tone.law", "silhouette"},
+      {"tone.light", "1,0.2,0.4"}, {"tone.ambient", "0.02"},     {"tone.diffuse", "0.3"},
+      {"tone.reflected", "0.6"},   {"tone.specular", "1.5"},     {"tone.shininess", "3"},
+      {"tone.decay", "1.2"},       {"tone.shadow", "0.7"},       {"tone.shadow_width", "30"},
+      {"tone.highlight", "1.7"},   {"tone.rim", "0.8"},          {"tone.ink", "light"},
+      {"tone.median_min", "0.38"}, {"tone.median_max", "0.3"},   {"tone.contrast", "0.4"},
+      {"tone.gradient", "0.4"},    {"tone.steps", "4"},          {"tone.darkest", "0.33"}};
   return all;
 }
 

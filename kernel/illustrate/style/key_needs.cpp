@@ -89,6 +89,10 @@ constexpr KeyNeed kGround{
 constexpr KeyNeed kShadow{
     [](const KeyPlace& p) { return p.whole.shadow.ground || p.whole.shadow.cast; },
     ": no shadow is asked for (shadow.ground=true)"};
+constexpr KeyNeed kSeenShadow{
+    [](const KeyPlace& p) { return p.whole.shadow.cast || ground_shadow(p); },
+    ": no shadow is asked for that this `view` shows (shadow.cast=true; shadow.ground=true, seen "
+    "from above)"};
 constexpr KeyNeed kShadowOfOwnColor{
     [](const KeyPlace& p) { return ground_shadow(p) || (p.whole.shadow.cast && !painted(p)); },
     ": it is for shadows on the ground (shadow.ground=true, seen from above) and on parts without "
@@ -142,6 +146,7 @@ const std::vector<Row>& rows() {
       {"fill.tint", {kColored, kInk, kSeen}},
       {"fill.legend", {kAreas, kLegend}},
       {"fill.faces", {kSolid}},
+      {"fill.shadow", {kSolid, kSeenShadow}},
       {"fill.hatch", {kSolid, kUnlikeArea}},
       {"fill.hatch_angle", {kHatched}},
       {"fill.hatch_distance", {kHatched}},

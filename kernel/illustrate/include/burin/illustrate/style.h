@@ -105,6 +105,8 @@ struct FillOptions {
   bool legend = true;
   /// Whether each face is an area of its own, painted or not.
   bool faces = false;
+  /// Whether the part casts the shadows that the drawing has, on parts and on the ground.
+  bool shadow = true;
   FillHatch hatch{};
 
   bool operator==(const FillOptions&) const = default;
