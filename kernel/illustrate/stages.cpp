@@ -150,7 +150,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
                          const Style& style, const PartStyles& part_styles,
                          const IllustrateOptions& options, RunContext& context) {
   Labels labels;
-  const auto& [occluders, casters, to_light, camera] = shaded;
+  const auto &occluders = shaded.occluders, &casters = shaded.casters;
+  const Vec3 to_light = shaded.to_light;
+  const Camera& camera = shaded.camera;
   const auto& over = options.annotations;
   // A title block alone is about no part.
   const bool pointed_at = over && (!over->items.empty() || !over->title_block);
