@@ -266,7 +266,8 @@ void add_drawing(py::module_& module) {
           "A dict an area under the lines, in the order of painting: part (-1: the shadow on the "
           "ground), face, tone (from 0, the darkest; -1: any), fill (\"#rrggbb\" or \"\"), "
           "opacity, ink (spot ink, or \"\"), tint (its share), role (\"legend\": a square of it), "
-          "rings (arrays (N, 2) in mm: inside an odd number of them).")
+          "rings (arrays (N, 2) in mm: inside an odd number of them), polygons (the same rings as "
+          "tuples (shell, [hole, ...]), as shapely.MultiPolygon takes them).")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },
           "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "

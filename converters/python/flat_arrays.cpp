@@ -1,5 +1,7 @@
 #include "flat_arrays.h"
 
+#include <burin/drawing/polygons.h>
+
 #include "arrays.h"
 
 #include <array>
@@ -126,7 +128,14 @@ py::list area_dicts(const Drawing& drawing) {
     d["ink"] = area.ink;
     d["tint"] = area.tint;
     d["role"] = area.role;
+    py::list polygons;
+    for (const RingPolygon& polygon : polygons_of(area.rings)) {
+      py::list holes;
+      for (const std::size_t hole : polygon.holes) holes.append(rings[hole]);
+      polygons.append(py::make_tuple(rings[polygon.shell], holes));
+    }
     d["rings"] = rings;
+    d["polygons"] = polygons;
     areas.append(d);
   }
   return areas;

@@ -66,12 +66,10 @@ std::size_t depth(const NamePatterns& patterns, const Part& part, std::size_t pa
   return led;
 }
 
-/// Whether all parts are in one assembly, which a name with * or ? means like some of what is in
-/// it: then the name means these. "gear*" are the gears of a gear pump.
+/// Whether all parts are in one assembly, which a name means like some of what is in it: then the
+/// name means these. "gear*" are the gears of a gear pump, and "rod" is the rod of rod.step.
 bool passes_top(const Scene& scene, std::string_view selector, const NamePatterns& patterns) {
-  if (selector.find('/') != selector.npos || selector.find_first_of("*?") == selector.npos) {
-    return false;
-  }
+  if (selector.find('/') != selector.npos) return false;
   const auto top = [](const Part& part) {
     return part.assembly.empty() ? std::string_view() : std::string_view(part.assembly.front());
   };

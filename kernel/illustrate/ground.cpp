@@ -48,7 +48,9 @@ Camera::ExtentFn extent_with_shadow(const Scene& scene, const Style& style,
   if (!std::isfinite(ground) || !casts_ground_shadow(to_light, level.direction())) return plain;
   std::vector<PartStyle> casting(part_styles.begin(), part_styles.end());
   casting.resize(scene.parts.size());
-  for (PartStyle& one : casting) one.drawn = one.drawn && !one.transparent;
+  for (PartStyle& one : casting) {
+    one.drawn = one.drawn && !one.transparent && (one.style ? *one.style : style).fill.shadow;
+  }
   if (std::ranges::none_of(casting, &PartStyle::drawn)) return plain;
   return [&scene, plain, casting = std::move(casting),
           down = onto_ground(to_light, ground)](const Mat3& axes) {

@@ -155,24 +155,30 @@ const FaceColors* colors_of(const RegionOptions& options, std::size_t part) {
   return part < options.colors.size() ? options.colors[part].get() : nullptr;
 }
 
+bool tells_faces(const RegionOptions& options, std::size_t part) {
+  return part < options.faces.size() && options.faces[part];
+}
+
 /// Lines that the drawing has none of.
 std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& occluders,
-                                 const Camera& camera, const RegionOptions& options,
-                                 const LightView* light, const RunContext& context) {
+                                 const Occluders& casters, const Camera& camera,
+                                 const RegionOptions& options, const LightView* light,
+                                 const RunContext& context) {
   std::vector<Curve3> out;
   const auto proxies = occluders.solid_proxies();
+  const bool faces = std::ranges::find(options.faces, true) != options.faces.end();
   const FeatureOptions silent{.contours = false,
                               .creases = false,
                               .boundaries = false,
                               .intersections = !options.found.intersections,
-                              .smooth = options.faces && !options.found.smooth,
-                              .seams = options.faces && !options.found.seams};
+                              .smooth = faces && !options.found.smooth,
+                              .seams = faces && !options.found.seams};
   if (silent.intersections || silent.smooth || silent.seams) {
     Diagnostics said;  // once is enough
     out = extract_features(proxies, camera, silent, said, context);
   }
-  const FeatureOptions lines{.smooth = options.faces || options.found.smooth,
-                             .seams = options.faces || options.found.seams};
+  const FeatureOptions lines{.smooth = faces || options.found.smooth,
+                             .seams = faces || options.found.seams};
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const FaceColors* colors = colors_of(options, i);
     if (!colors) continue;
@@ -194,7 +200,7 @@ std::vector<Curve3> silent_lines(const LightNormals& normals, const Occluders& o
       &context);
   for (std::vector<Curve3>& of_one : isophotes) std::ranges::move(of_one, std::back_inserter(out));
   if (light) {
-    std::ranges::move(cast_shadows(occluders, *light, camera, options.tones, context),
+    std::ranges::move(cast_shadows(occluders, casters, *light, camera, options.tones, context),
                       std::back_inserter(out));
   }
   return out;
@@ -231,10 +237,10 @@ std::int32_t tone_at(const Surface& surface, std::span<const Vec3> normals, cons
 
 /// What is seen at a place of the sheet. All of it must outlive that.
 LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
-                     const ExactDepths& depths, const Camera& camera, const RegionOptions& options,
-                     const LightView* light) {
+                     const Occluders& casters, const ExactDepths& depths, const Camera& camera,
+                     const RegionOptions& options, const LightView* light) {
   return [probe = exact_view_probe(occluders, depths, camera), proxies = occluders.solid_proxies(),
-          &normals, &occluders, &depths, &camera, &options, light](Vec2 at) {
+          &normals, &occluders, &casters, &depths, &camera, &options, light](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -242,7 +248,7 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
     const ProxyMesh& proxy = *proxies[part];
     const auto steps = static_cast<std::int32_t>(options.tones[part].levels.size());
     const bool cut = proxy.is_cut(hit->point.face);
-    if (options.faces || cut) label.face = proxy.face_source(hit->point.face);
+    if (cut || tells_faces(options, part)) label.face = proxy.face_source(hit->point.face);
     const FaceColors* colors = colors_of(options, part);
     if (colors && !cut) label.color = colors->at(proxy.face_source(hit->point.face));
     // The face that closes a cut is none of the shape: in shade its hatching would be lost.
@@ -250,7 +256,8 @@ LabelAt region_label(const LightNormals& normals, const Occluders& occluders,
     if (cut || steps == 0) return label;
     label.tone =
         tone_at(*occluders.surfaces()[part], normals[part], *hit, camera, options.tones[part]);
-    if (light && label.tone > 0 && in_shadow(occluders, depths, *hit, light->camera.direction())) {
+    if (light && label.tone > 0 &&
+        in_shadow(occluders, casters.solid(), depths, *hit, light->camera.direction())) {
       label.tone = 0;
     }
     return label;
@@ -315,8 +322,8 @@ LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
 }
 
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
-                       const Camera& camera, const RegionOptions& options, const LightView* light,
-                       LightNormals normals, const RunContext& context) {
+                       const Occluders& casters, const Camera& camera, const RegionOptions& options,
+                       const LightView* light, LightNormals normals, const RunContext& context) {
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
   const auto proxies = occluders.solid_proxies();
   parallel_for(
@@ -330,10 +337,11 @@ Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders&
   add_seen(lines, occluders, borders);
   const ViewProbe probe = view_probe(occluders.solid(), camera);
   const std::vector<Curve3> silent =
-      silent_lines(normals, occluders, camera, options, light, context);
+      silent_lines(normals, occluders, casters, camera, options, light, context);
   for (const Curve3& line : silent) Shown(line, probe, camera).add_to(borders);
   const ExactDepths depths(occluders);
-  const LabelAt label_at = region_label(normals, occluders, depths, camera, options, light);
+  const LabelAt label_at =
+      region_label(normals, occluders, casters, depths, camera, options, light);
   const PartitionOptions how{.least_tone_width = options.pen, .slack = kSlack};
   return partition(box, borders.get(), label_at, how, context);
 }

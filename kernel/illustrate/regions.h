@@ -27,8 +27,8 @@ struct RegionOptions {
   std::vector<Isophotes> tones{};
   /// One a part, or fewer: the colours of its faces that part it; absent: it has one.
   std::vector<std::shared_ptr<const FaceColors>> colors{};
-  /// Whether faces of the input are told apart.
-  bool faces = false;
+  /// One a part, or fewer: whether its faces are told apart.
+  std::vector<bool> faces{};
   /// Paper mm: specks of tone narrower than this go to the step beside them.
   double pen = 0;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.
@@ -58,11 +58,12 @@ LightNormals light_normals_of(const Occluders& occluders, const Camera& camera,
 /// have none. Borders are the visible lines, whatever the style draws of them, and lines that it
 /// does not draw: isophotes, smooth edges and seams between faces, borders of colours,
 /// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says
-/// a ray. `light`: the view from `options.shadows`; null where there is none. Cost: `partition`; a
-/// ray a mm of isophotes. Throws Cancelled.
+/// a ray. `light`: the view from `options.shadows` of the `casters`, the occluders but for parts
+/// that cast no shadow; null where there is none. Cost: `partition`; a ray a mm of isophotes.
+/// Throws Cancelled.
 Partition find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
-                       const Camera& camera, const RegionOptions& options, const LightView* light,
-                       LightNormals normals, const RunContext& context);
+                       const Occluders& casters, const Camera& camera, const RegionOptions& options,
+                       const LightView* light, LightNormals normals, const RunContext& context);
 
 /// What is seen of each part, whatever else parts the sheet; by part.
 std::vector<Area> silhouettes(const Partition& partition);

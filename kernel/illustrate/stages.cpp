@@ -18,6 +18,7 @@
 #include "on_sheet.h"
 #include "parts_before.h"
 #include "pmi/lay_pmi.h"
+#include "region_options.h"
 #include "shadow/ground_shadow.h"
 #include "shadow/light_view.h"
 #include "tell.h"
@@ -67,58 +68,6 @@ std::vector<DrawnThreads> drawn_threads(const Scene& scene, const PartStyles& pa
   return out;
 }
 
-FeatureOptions feature_options(const PartStyles& part_styles) {
-  FeatureOptions options{.intersections = false, .smooth = false};
-  for (const Style* style : part_styles.styles()) {
-    options.intersections |= style->feature.intersections;
-    options.smooth |= style->feature.smooth;
-    options.seams |= style->feature.seams;
-  }
-  return options;
-}
-
-// Whether lines over regions have the colour of these.
-bool hatches_in_fill(const FillOptions& fill) {
-  return fill.hatch.lines != FillHatch::Lines::None && fill.hatch.color == "fill";
-}
-
-// The colours of faces of parts that show them.
-std::vector<std::shared_ptr<const FaceColors>> face_colors(const Scene& scene,
-                                                           const PartStyles& part_styles) {
-  std::vector<std::shared_ptr<const FaceColors>> out;
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const FillOptions& fill = part_styles.style(i).fill;
-    const bool by_face = fill.color == "part" && (fill.opacity > 0 || hatches_in_fill(fill));
-    out.push_back(part_styles.drawn(i) && by_face ? scene.parts[i].face_colors : nullptr);
-  }
-  return out;
-}
-
-// What parts the sheet where parts have flat colours.
-RegionOptions region_options(const Scene& scene, const PartStyles& part_styles,
-                             const Camera& camera, bool shadows) {
-  RegionOptions options{.found = feature_options(part_styles)};
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const FillOptions& fill = part_styles.style(i).fill;
-    const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
-    const bool toned = part_styles.drawn(i) && shown && fill.steps > 1;
-    std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
-    if (shadows && levels.empty()) levels = {tone::kUnlit};
-    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
-  }
-  options.colors = face_colors(scene, part_styles);
-  return options;
-}
-
-// Where areas of a step hold the darker ones.
-std::vector<bool> nested_fills(const PartStyles& part_styles) {
-  std::vector<bool> out;
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    out.push_back(nests(part_styles.style(i).fill));
-  }
-  return out;
-}
-
 void name_own_field(Drawing& drawing) {
   for (Layer& layer : drawing.layers) {
     for (Path& path : layer.paths) {
@@ -161,6 +110,7 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
   const bool shadows = style.shadow.cast;
   verify.areas = {areas, region_options(scene, part_styles, camera, shadows).tones};
   verify.areas->pen = style.line.crease;
+  verify.areas->unshaded = without_shadow(part_styles, transparent_ones(part_styles));
   if (shadows) verify.areas->shadows = tone::to_light(camera, style.tone);
   return verify;
 }
@@ -200,18 +150,19 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
                          const Style& style, const PartStyles& part_styles,
                          const IllustrateOptions& options, RunContext& context) {
   Labels labels;
-  const auto& occluders = shaded.occluders;
+  const auto &occluders = shaded.occluders, &casters = shaded.casters;
   const Vec3 to_light = shaded.to_light;
   const Camera& camera = shaded.camera;
   const auto& over = options.annotations;
   // A title block alone is about no part.
   const bool pointed_at = over && (!over->items.empty() || !over->title_block);
-  const bool regions = options.face_areas || paints(part_styles) || hatches(part_styles) ||
-                       style.shadow.cast || style.shadow.ground;
+  const std::vector<bool> faces = told_faces(part_styles, options.face_areas);
+  const bool regions = std::ranges::find(faces, true) != faces.end() || paints(part_styles) ||
+                       hatches(part_styles) || style.shadow.cast || style.shadow.ground;
   std::shared_ptr<std::optional<LightView>> light;
   if (style.shadow.cast || style.shadow.ground) {
-    light = light_.get({occluders, to_light}, [&] {
-      return std::make_shared<std::optional<LightView>>(light_view(*occluders, to_light, context));
+    light = light_.get({casters, to_light}, [&] {
+      return std::make_shared<std::optional<LightView>>(light_view(*casters, to_light, context));
     });
   }
   if (pointed_at || regions) {
@@ -221,9 +172,9 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
     }
     labels = *labels_.get(wanted, [&] { return std::make_shared<Labels>(label(wanted, context)); });
     if (regions) {
-      Parted parted{lines, wanted.box,
+      Parted parted{lines, casters, wanted.box,
                     region_options(scene, part_styles, camera, style.shadow.cast)};
-      parted.options.faces = options.face_areas;
+      parted.options.faces = faces;
       parted.options.pen = style.line.crease;
       if (style.shadow.cast) parted.options.shadows = to_light;
       const auto parts = regions_.get(parted, [&] {
@@ -238,8 +189,8 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
         const Sight& sight = lines->sight;
         const LightView* from_light = style.shadow.cast && *light ? &**light : nullptr;
         return std::make_shared<Partition>(
-            find_regions(parted.box, {sight.features(), sight.feature_spans()}, *occluders, camera,
-                         parted.options, from_light, *normals, context));
+            find_regions(parted.box, {sight.features(), sight.feature_spans()}, *occluders,
+                         *casters, camera, parted.options, from_light, *normals, context));
       });
       if (pointed_at && options.annotations->callouts) {
         labels.whole = labels.areas;
@@ -252,7 +203,7 @@ Labels Stages::labels_of(const Scene& scene, const Drawing& drawing,
   if (style.shadow.ground && *light) {
     labels.shadow = *shadow_.get(shaded, [&] {
       return std::make_shared<std::optional<Area>>(
-          ground_shadow(*occluders, **light, camera, context));
+          ground_shadow(*casters, **light, camera, context));
     });
   }
   return labels;
@@ -320,8 +271,13 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
           judged ? &judged->found : nullptr);
   if (judged) judged->ranks = trees->ranks();
   if (options.field) name_own_field(drawing);
-  labels = labels_of(scene, drawing, features, {trees, tone::to_light(camera, style.tone), camera},
-                     style, part_styles, options, context);
+  const Solid casting{surfaces, without_shadow(part_styles, solid.transparent), solid.ranks};
+  const auto casters = casting == solid ? trees : casters_.get(casting, [&] {
+    return std::make_shared<Occluders>(surfaces, casting.transparent, casting.ranks, context);
+  });
+  labels = labels_of(scene, drawing, features,
+                     {trees, casters, tone::to_light(camera, style.tone), camera}, style,
+                     part_styles, options, context);
   const PaperBreaks& breaks = options.broken.breaks;
   labels.cut = cut_stretches(proxies, part_styles, camera, breaks, drawing.diagnostics);
   lay_pmi(scene, part_styles, {camera, breaks, options.view_name}, trees->solid(), style, drawing);

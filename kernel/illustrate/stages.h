@@ -79,6 +79,7 @@ class Stages {
   /// The lines stand for the occluders and the view.
   struct Parted {
     std::shared_ptr<Lines> lines;
+    std::shared_ptr<const Occluders> casters;
     Box2 box;
     RegionOptions options;
     bool operator==(const Parted&) const = default;
@@ -91,15 +92,16 @@ class Stages {
     std::vector<bool> steps;
     bool operator==(const Toned&) const = default;
   };
+  /// `casters`: what casts shadows; the occluders but for parts that cast none.
   struct Shaded {
-    std::shared_ptr<const Occluders> occluders;
+    std::shared_ptr<const Occluders> occluders, casters;
     Vec3 to_light{0};
     Camera camera;
     bool operator==(const Shaded&) const = default;
   };
 
   struct Lit {
-    std::shared_ptr<const Occluders> occluders;
+    std::shared_ptr<const Occluders> casters;
     Vec3 to_light{0};
     bool operator==(const Lit&) const = default;
   };
@@ -124,7 +126,7 @@ class Stages {
 
   RealisedParts realised_;
   Kept<Surfaces, const std::vector<double>> sizes_;
-  Kept<Solid, Occluders> occluders_;
+  Kept<Solid, Occluders> occluders_, casters_;
   HatchedParts hatched_;
   Kept<View, Lines> lines_;
   Kept<Seen, Spans> seen_;

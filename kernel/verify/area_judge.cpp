@@ -66,7 +66,8 @@ AreaJudge::Claim AreaJudge::claim(Vec2 p) const {
 std::pair<std::int32_t, std::int32_t> AreaJudge::tones_of(const Referee::Sheet& sheet) const {
   const auto [least, most] = lit_tones_of(sheet);
   if (!rule_.shadows || most <= 0 || sheet.cut) return {least, most};
-  switch (witnesses_.solid.shade(sheet, *rule_.shadows)) {
+  const Referee& casting = witnesses_.casting ? *witnesses_.casting : witnesses_.solid;
+  switch (witnesses_.solid.shade(sheet, *rule_.shadows, casting)) {
     case Referee::Shade::Lit:
       return {least, most};
     case Referee::Shade::Shaded:

@@ -223,13 +223,14 @@ Vec3 Referee::normal(const Sheet& sheet, std::span<const Vec3> light_normals) co
   return away && !proxy.closed(sheet.point.face) ? -normal : normal;
 }
 
-Referee::Shade Referee::shade(const Sheet& sheet, Vec3 to_light) const {
+Referee::Shade Referee::shade(const Sheet& sheet, Vec3 to_light, const Referee& casting) const {
   const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(sheet.part)];
   const Vec3 light = glm::normalize(to_light);
   Vec3 normal = proxy.mesh.normal(sheet.point.face);
   if (glm::dot(normal, light) < 0) normal = -normal;
   const auto shaded = [&](double off) {
-    return occluder_->occluded(sheet.place + off * normal, light, 0, 2 * occluder_->diagonal());
+    return casting.occluder_->occluded(sheet.place + off * normal, light, 0,
+                                       2 * occluder_->diagonal());
   };
   const double chord = proxy.tolerance > 0 ? 0 : chord_error(proxy, sheet.point.face);
   const bool close = shaded(4 * occluder_->resolution());

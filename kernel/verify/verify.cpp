@@ -239,6 +239,16 @@ class Referees {
     return Referee(fine_surfaces(scene, tolerance, wanted, crease_angles, context),
                    solid_->camera(), solid_->options(), context);
   }
+  /// Of the solid parts without those of a flag; null: none of them has it.
+  std::unique_ptr<const Referee> without(const std::vector<bool>& parts,
+                                         RunContext& context) const {
+    FineSurfaces rest = solid_->surfaces();
+    for (std::size_t i = 0; i < rest.size() && i < parts.size(); ++i) {
+      if (parts[i]) rest[i] = nullptr;
+    }
+    if (rest == solid_->surfaces()) return nullptr;
+    return std::make_unique<Referee>(std::move(rest), solid_->camera(), solid_->options(), context);
+  }
   /// Null where the part has no fine surface.
   const Referee* of(std::int32_t part) const {
     const auto i = static_cast<std::size_t>(part);
@@ -307,8 +317,10 @@ void test_areas(const Drawing& drawing, std::span<const Path> lines, const Scene
   }
   const Referee coarse =
       referees.coarse_meshes(scene, options.tolerance, options.crease_angles, context);
+  const auto casting = rule.shadows ? referees.without(rule.unshaded, context) : nullptr;
   const AreaWitnesses witnesses{referees.solid(), referees.all(),
-                                [&](std::int32_t part) { return referees.of(part); }, &coarse};
+                                [&](std::int32_t part) { return referees.of(part); }, &coarse,
+                                casting.get()};
   const AreaJudge judge(rule, witnesses, context);
   const AreaFindings found = wrong_areas(
       judge, used_sheet(drawing, lines, rule.areas, options.shown), drawing.seed, context);

@@ -20,13 +20,13 @@ const std::map<std::string, std::string>& values() {
       {"fill.tint", "0.77"},       {"fill.legend", "false"},     {"fill.hatch", "cross"},
       {"fill.hatch_angle", "30"},  {"fill.hatch_distance", "2"}, {"fill.hatch_width", "0.3"},
       {"fill.hatch_tones", "2"},   {"fill.hatch_color", "fill"}, {"shadow.color", "#778899"},
-      {"tone.law", "silhouette"},  {"tone.light", "1,0.2,0.4"},  {"tone.ambient", "0.02"},
-      {"tone.diffuse", "0.3"},     {"tone.reflected", "0.6"},    {"tone.specular", "1.5"},
-      {"tone.shininess", "3"},     {"tone.decay", "1.2"},        {"tone.shadow", "0.7"},
-      {"tone.shadow_width", "30"}, {"tone.highlight", "1.7"},    {"tone.rim", "0.8"},
-      {"tone.ink", "light"},       {"tone.median_min", "0.38"},  {"tone.median_max", "0.3"},
-      {"tone.contrast", "0.4"},    {"tone.gradient", "0.4"},     {"tone.steps", "4"},
-      {"tone.darkest", "0.33"}};
+      {"fill.faces", "true"},      {"fill.shadow", "false"},     {"tone.law", "silhouette"},
+      {"tone.light", "1,0.2,0.4"}, {"tone.ambient", "0.02"},     {"tone.diffuse", "0.3"},
+      {"tone.reflected", "0.6"},   {"tone.specular", "1.5"},     {"tone.shininess", "3"},
+      {"tone.decay", "1.2"},       {"tone.shadow", "0.7"},       {"tone.shadow_width", "30"},
+      {"tone.highlight", "1.7"},   {"tone.rim", "0.8"},          {"tone.ink", "light"},
+      {"tone.median_min", "0.38"}, {"tone.median_max", "0.3"},   {"tone.contrast", "0.4"},
+      {"tone.gradient", "0.4"},    {"tone.steps", "4"},          {"tone.darkest", "0.33"}};
   return all;
 }
 
@@ -111,6 +111,9 @@ TEST_F(KeyEffects, TheReasonSaysWhatToDo) {
   EXPECT_NE(
       warnings("--style flat --set fill.color=red --highlight ball").find("fill.color has no"),
       std::string::npos);
+  const std::string low = warnings("--style flat --set shadow.ground=true --light 1,-1,-1");
+  EXPECT_NE(low.find("shadow.ground has no effect: the ground under the parts"), low.npos) << low;
+  EXPECT_NE(low.find("--light has no effect: it would light the shadow on the ground"), low.npos);
   // What has an effect, or is as it was, is no matter.
   EXPECT_EQ(warnings("--style flat --set shadow.ground=true"), "");
   EXPECT_EQ(warnings("--style outline --set fill.color=none"), "");

@@ -49,6 +49,9 @@ class Areas(unittest.TestCase):
         self.assertEqual({area["part"] for area in parts}, {0})
         self.assertEqual({area["tone"] for area in parts}, {0, 1})
         self.assertEqual(parts[0]["rings"][0].shape[1], 2)
+        for area in drawing.areas:
+            rings = [ring for shell, holes in area["polygons"] for ring in (shell, *holes)]
+            self.assertEqual(sorted(map(id, rings)), sorted(map(id, area["rings"])))
         again = burin.Drawing.from_json(drawing.to_bytes("json"))
         self.assertEqual([a["fill"] for a in again.areas], [a["fill"] for a in drawing.areas])
 

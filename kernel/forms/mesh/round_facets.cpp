@@ -6,6 +6,8 @@
 #include <burin/mesh/tips.h>
 #include <burin/work_mesh/division.h>
 
+#include "facet_normals.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -25,21 +27,7 @@ constexpr int kMostPasses = 8;
 /// shows.
 constexpr double kTold = 2;
 constexpr std::size_t kFacetGrain = 4096;
-/// Radians between a patch's normal and that which is linear over the facet: up to the first they
-/// are alike, from the second on not; less where facets bend little for their size.
-constexpr double kAlike = 0.035, kUnlike = 0.087;
-/// Of the tolerance: how far aside a normal that is taken as alike may move a contour.
-constexpr double kAside = 0.5;
-
 constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
-
-/// A piece of a facet.
-struct FacetPiece {
-  Triangle corners;
-  std::uint32_t facet;
-  std::array<Vec3, 3> bary;
-  bool settled = false;  // all edges are fine enough
-};
 
 FacetPiece whole(const ProxyMesh& coarse, std::uint32_t facet) {
   return {coarse.mesh.triangles[facet], facet, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}};
@@ -111,7 +99,7 @@ class Divider {
     out.insert(out.end(), made_.begin(), made_.end());
     return out;
   }
-  RoundedFacet facet(std::uint32_t face) const { return surface_.facet(face); }
+  const RoundedMesh& surface() const { return surface_; }
 
  private:
   /// The surface at a share of the k-th edge of a piece, from the lower vertex on; the same bits
@@ -218,21 +206,6 @@ bool on_crease(const ProxyMesh& coarse, const FacetPiece& piece, std::size_t k) 
   return edge && coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + *edge));
 }
 
-/// For each wedge of the facets whether one around it was divided, and none is exact.
-std::vector<std::uint8_t> touched(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
-                                  const std::vector<FacetPiece>& pieces) {
-  std::vector<std::uint8_t> out(coarse.wedge_vertex.size(), 0);
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (pieces[i].facet != pieces[i - 1].facet) continue;
-    for (const std::uint32_t w : coarse.wedges[pieces[i].facet]) out[w] = 1;
-  }
-  for (std::size_t f = 0; f < exact.size(); ++f) {
-    if (exact[f] == 0) continue;
-    for (const std::uint32_t w : coarse.wedges[f]) out[w] = 0;
-  }
-  return out;
-}
-
 /// The triangles of the new mesh: facets, and the pieces of those that were divided.
 class DivisionLayout {
  public:
@@ -277,68 +250,6 @@ class DivisionLayout {
   std::vector<std::uint32_t> first_;
 };
 
-/// Normals where facets were divided: those of the surface's own patches, so that contours run
-/// where its triangles turn away, but linear over the facet where that is nearly the same: strips
-/// of fillets then bend across alone. As they were where facets stay.
-class Normals {
- public:
-  Normals(const ProxyMesh& coarse, std::span<const std::uint8_t> exact, const Divider& divider)
-      : coarse_(coarse), divider_(divider), moved_(touched(coarse, exact, divider.pieces())) {}
-
-  std::array<Vec3, 3> of(const FacetPiece& piece) const {
-    std::array<Vec3, 3> out;
-    std::optional<RoundedFacet> facet;
-    double strict = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (const Vec3* normal = kept(piece.facet, piece.bary[k])) {
-        out[k] = *normal;
-        continue;
-      }
-      if (!facet) facet = divider_.facet(piece.facet), strict = strictness(piece.facet);
-      out[k] = moved(*facet, piece.bary[k], strict);
-    }
-    return out;
-  }
-
- private:
-  /// That of a corner of a facet with no divided one around it, else null.
-  const Vec3* kept(std::uint32_t facet, Vec3 bary) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t w = coarse_.wedges[facet][k];
-      if (bary[static_cast<int>(k)] == 1 && !moved_[w]) return &coarse_.wedge_normal[w];
-    }
-    return nullptr;
-  }
-  /// Share of kAlike and kUnlike that holds for a facet. A normal that is off by an angle moves a
-  /// contour along the surface by the angle times its radius, and aside by half the angle of that.
-  double strictness(std::uint32_t f) const {
-    const Triangle& w = coarse_.wedges[f];
-    double bend = 0;  // squared, a mm
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = w[k], b = w[next(k)];
-      const Vec3 edge = coarse_.wedge_position(b) - coarse_.wedge_position(a);
-      const Vec3 change = coarse_.wedge_normal[b] - coarse_.wedge_normal[a];
-      bend = std::max(bend, glm::dot(change, change) / std::max(glm::dot(edge, edge), 1e-300));
-    }
-    const double alike = std::sqrt(2 * kAside * divider_.tolerance() * std::sqrt(bend));
-    return std::clamp(alike / kAlike, 1e-6, 1.0);
-  }
-  Vec3 moved(const RoundedFacet& facet, Vec3 bary, double strict) const {
-    const Vec3 flat = coarse_.mesh.normal(facet.face());
-    Vec3 own = normalize_or(facet.normal_at(bary), flat);
-    if (glm::dot(own, flat) <= 0) own = flat;  // folded over
-    const Vec3 smooth = coarse_.normal(facet.face(), bary);
-    const double angle = std::acos(std::min(glm::dot(smooth, own), 1.0));
-    const double share =
-        std::clamp((angle - strict * kAlike) / (strict * (kUnlike - kAlike)), 0.0, 1.0);
-    return normalize_or(glm::mix(smooth, own, share), own);
-  }
-
-  const ProxyMesh& coarse_;
-  const Divider& divider_;
-  std::vector<std::uint8_t> moved_;
-};
-
 /// What a proxy knows of its source, by triangles and half-edges.
 void copy_source(const ProxyMesh& coarse, const DivisionLayout& layout, ProxyDraft& draft) {
   if (coarse.source_face.empty() && coarse.source_edge.empty()) return;
@@ -367,7 +278,8 @@ ProxyDraft draft_of(const ProxyMesh& coarse, std::span<const std::uint8_t> exact
   draft.sharp.resize(3 * layout.size());
   draft.tolerance = coarse.tolerance;
   copy_source(coarse, layout, draft);
-  const Normals normals(coarse, exact, divider);
+  const FacetNormals normals(coarse, exact, divider.surface(), divider.tolerance(),
+                             divider.pieces());
   layout.each(context, [&](std::size_t i, const FacetPiece& piece) {
     draft.mesh.triangles[i] = piece.corners;
     const std::array<Vec3, 3> normal = normals.of(piece);

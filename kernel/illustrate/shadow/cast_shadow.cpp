@@ -40,19 +40,20 @@ bool is_round(const ProxyMesh& proxy, std::uint32_t face) {
   });
 }
 
-/// Throws outlines.
+/// Throws outlines of what casts onto what receives.
 class Thrower {
  public:
-  Thrower(const Occluders& occluders, const LightView& light, const Camera& camera,
-          std::span<const Isophotes> tones)
-      : occluder_(occluders.solid()),
+  Thrower(const Occluders& occluders, const Occluder& casters, const Occluder& receivers,
+          const LightView& light, const Camera& camera, std::span<const Isophotes> tones)
+      : casters_(casters),
+        receivers_(receivers),
         proxies_(occluders.solid_proxies()),
         to_light_(light.camera.direction()),
         light_scale_(light.camera.scale()),
         camera_(camera),
         tones_(tones),
-        far_(2 * occluder_.diagonal()),
-        least_(16 * occluder_.resolution()) {}
+        far_(2 * occluders.solid().diagonal()),
+        least_(16 * occluders.solid().resolution()) {}
 
   void add(const Curve3& outline, std::vector<Curve3>& out) const {
     Run run(outline, out);
@@ -144,13 +145,13 @@ class Thrower {
     const Vec3 p = side.at(t);
     const auto lit = [&](double off) -> std::optional<Vec3> {
       const Vec3 beside = p + off * (side.open + to_light_);
-      if (occluder_.occluded(beside, to_light_, 0, far_)) return std::nullopt;
+      if (casters_.occluded(beside, to_light_, 0, far_)) return std::nullopt;
       return beside;
     };
     auto from = lit(side.off);
     if (!from) from = lit(side.off + kOwnFold / light_scale_);
     if (!from) return {t, {}};
-    const auto hit = occluder_.first_hit(*from, -to_light_, 0, far_);
+    const auto hit = receivers_.first_hit(*from, -to_light_, 0, far_);
     if (!hit) return {t, {}};
     // Beside the outline something was met; the outline itself falls on the plane of that.
     const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(hit->where.part)];
@@ -195,7 +196,8 @@ class Thrower {
     join(side, m, b, halvings - 1, run);
   }
 
-  const Occluder& occluder_;
+  const Occluder& casters_;
+  const Occluder& receivers_;
   std::span<const ProxyMesh* const> proxies_;
   Vec3 to_light_;
   double light_scale_;
@@ -206,43 +208,47 @@ class Thrower {
 
 }  // namespace
 
-std::vector<Curve3> cast_shadows(const Occluders& occluders, const LightView& light,
-                                 const Camera& camera, std::span<const Isophotes> tones,
-                                 const RunContext& context) {
-  const Thrower thrower(occluders, light, camera, tones);
-  const std::size_t n = light.outlines.size();
-  std::vector<std::vector<Curve3>> of_each(n);
-  parallel_for(
-      n, kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) thrower.add(light.outlines[i], of_each[i]);
-      },
-      &context);
+std::vector<Curve3> cast_shadows(const Occluders& occluders, const Occluders& casters,
+                                 const LightView& light, const Camera& camera,
+                                 std::span<const Isophotes> tones, const RunContext& context) {
+  std::vector<const Occluder*> receivers{&occluders.solid()};
+  // The light passes through parts that cast no shadow and have one themselves.
+  if (&casters != &occluders) receivers.push_back(&casters.solid());
   std::vector<Curve3> out;
-  for (std::vector<Curve3>& lines : of_each) std::ranges::move(lines, std::back_inserter(out));
+  for (const Occluder* onto : receivers) {
+    const Thrower thrower(occluders, casters.solid(), *onto, light, camera, tones);
+    const std::size_t n = light.outlines.size();
+    std::vector<std::vector<Curve3>> of_each(n);
+    parallel_for(
+        n, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) thrower.add(light.outlines[i], of_each[i]);
+        },
+        &context);
+    for (std::vector<Curve3>& lines : of_each) std::ranges::move(lines, std::back_inserter(out));
+  }
   return out;
 }
 
-bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const ViewHit& at,
-               Vec3 to_light) {
+bool in_shadow(const Occluders& occluders, const Occluder& casters, const ExactDepths& depths,
+               const ViewHit& at, Vec3 to_light) {
   const FaceRef where{at.part, at.point.face};
   const ProxyMesh& proxy = *occluders.solid_proxies()[static_cast<std::size_t>(where.part)];
-  const Occluder& solid = occluders.solid();
   Vec3 normal = proxy.mesh.normal(where.face);
   // Of sheets the side that the light falls on.
   if (!proxy.closed(where.face) && glm::dot(normal, to_light) < 0) normal = -normal;
   // A triangle that is itself hardly lit, though the round surface is, stands behind others of it.
   constexpr double kGrazing = 0.05, kSquare = 0.2;
   const double doubt = 1 - smoothstep(kGrazing, kSquare, glm::dot(normal, to_light));
-  const double step = 4 * solid.resolution();
+  const double step = 4 * occluders.solid().resolution();
   const double off = step + doubt * 2 * chord_error(proxy, where.face);
   const Vec3 from = at.position + off * normal;
-  const double far = 2 * solid.diagonal();
-  if (!depths.needed()) return solid.occluded(from, to_light, 0, far);
+  const double far = 2 * occluders.solid().diagonal();
+  if (!depths.needed()) return casters.occluded(from, to_light, 0, far);
   // Triangles of another part that stick out of this one, though its surface does not.
   const double reach = std::min(depths.reach(where, to_light), far);
-  if (solid.occluded(from, to_light, reach, far)) return true;
-  return solid.occluded_by(from, to_light, 0, reach, [&](const Hit& hit) {
+  if (casters.occluded(from, to_light, reach, far)) return true;
+  return casters.occluded_by(from, to_light, 0, reach, [&](const Hit& hit) {
     if (hit.where.part == where.part) return true;
     const double own = depths.depth(where, at.point.bary, at.position, from, to_light);
     return depths.depth(hit.where, hit.bary, from + hit.distance * to_light, from, to_light) >

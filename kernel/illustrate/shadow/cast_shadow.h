@@ -24,14 +24,16 @@ namespace burin::detail {
 /// the steps of each part.
 /// The border of light on round surfaces themselves is none of them (`trace_isophotes`). Throws
 /// Cancelled. Cost: two rays a mm of outline on the light's sheet, and some 20 where it jumps.
-std::vector<Curve3> cast_shadows(const Occluders& occluders, const LightView& light,
-                                 const Camera& camera, std::span<const Isophotes> tones,
-                                 const RunContext& context);
+/// `casters`: the occluders but for parts that cast none, of which `light` is the view; shadows
+/// fall on those parts, and behind them.
+std::vector<Curve3> cast_shadows(const Occluders& occluders, const Occluders& casters,
+                                 const LightView& light, const Camera& camera,
+                                 std::span<const Isophotes> tones, const RunContext& context);
 
-/// Whether something stands between the light and a place of a solid part that is turned to it.
-/// Facets do not shade each other where they stand for one round surface, nor do those of two parts
-/// that touch, where it is the facets alone that lie before each other.
-bool in_shadow(const Occluders& occluders, const ExactDepths& depths, const ViewHit& at,
-               Vec3 to_light);
+/// Whether one of the `casters` stands between the light and a place of a solid part that is turned
+/// to it. Facets do not shade each other where they stand for one round surface, nor do those of
+/// two parts that touch, where it is the facets alone that lie before each other.
+bool in_shadow(const Occluders& occluders, const Occluder& casters, const ExactDepths& depths,
+               const ViewHit& at, Vec3 to_light);
 
 }  // namespace burin::detail

@@ -65,8 +65,9 @@ constexpr KeyNeed kInk{[](const KeyPlace& p) { return !p.part.fill.ink.empty(); 
                        ": it is for a spot ink, and fill.ink names none"};
 constexpr KeyNeed kNoInk{[](const KeyPlace& p) { return p.part.fill.ink.empty(); },
                          ": tones of the spot ink '{ink}' are tints of it (fill.tint)"};
-constexpr KeyNeed kSolid{[](const KeyPlace& p) { return !p.transparent; },
-                         ": parts of glass (`ghost`) have neither tones nor shadows nor hatching"};
+constexpr KeyNeed kSolid{
+    [](const KeyPlace& p) { return !p.transparent; },
+    ": parts of glass (`ghost`) have no tones, shadows, hatching and areas of faces"};
 constexpr KeyNeed kHatched{hatched, ": fill.hatch is none (fill.hatch=lines hatches areas)"};
 constexpr KeyNeed kToned{toned, ": there is one tone alone (tone.steps=2 or more gives others)"};
 constexpr KeyNeed kPartColor{
@@ -88,6 +89,10 @@ constexpr KeyNeed kGround{
 constexpr KeyNeed kShadow{
     [](const KeyPlace& p) { return p.whole.shadow.ground || p.whole.shadow.cast; },
     ": no shadow is asked for (shadow.ground=true)"};
+constexpr KeyNeed kSeenShadow{
+    [](const KeyPlace& p) { return p.whole.shadow.cast || ground_shadow(p); },
+    ": no shadow is asked for that this `view` shows (shadow.cast=true; shadow.ground=true, seen "
+    "from above)"};
 constexpr KeyNeed kShadowOfOwnColor{
     [](const KeyPlace& p) { return ground_shadow(p) || (p.whole.shadow.cast && !painted(p)); },
     ": it is for shadows on the ground (shadow.ground=true, seen from above) and on parts without "
@@ -105,6 +110,12 @@ constexpr KeyNeed kStrokesOrTones{
     [](const KeyPlace& p) { return has_strokes(p.part) || lit_without_strokes(p); },
     ": style '{style}' draws no strokes, tones or shadows (hatch.enabled=true, tone.steps=2 or "
     "shadow.ground=true does)"};
+constexpr KeyNeed kOtherThanGround{[](const KeyPlace& p) {
+                                     return has_strokes(p.part) || lit_without_strokes(p) ||
+                                            !p.whole.shadow.ground;
+                                   },
+                                   ": it would light the shadow on the ground alone, which this "
+                                   "`view` and this light do not show"};
 constexpr KeyNeed kLooksAtLight{
     [](const KeyPlace& p) {
       return lit_without_strokes(p) ||
@@ -134,6 +145,8 @@ const std::vector<Row>& rows() {
       {"fill.ink", {kColored, kSeen}},
       {"fill.tint", {kColored, kInk, kSeen}},
       {"fill.legend", {kAreas, kLegend}},
+      {"fill.faces", {kSolid}},
+      {"fill.shadow", {kSolid, kSeenShadow}},
       {"fill.hatch", {kSolid, kUnlikeArea}},
       {"fill.hatch_angle", {kHatched}},
       {"fill.hatch_distance", {kHatched}},
@@ -144,7 +157,7 @@ const std::vector<Row>& rows() {
       {"shadow.ground", {kSolid, kGround}},
       {"shadow.color", {kShadow, kShadowOfOwnColor}},
       {"tone.law", {kStrokes, kBare}},
-      {"tone.light", {kStrokesOrTones, kLooksAtLight}},
+      {"tone.light", {kOtherThanGround, kStrokesOrTones, kLooksAtLight}},
       {"tone.ambient", {kStrokes, kBare, {law_uses<"ambient">, kOtherLaw}}},
       {"tone.diffuse", {kStrokes, kBare, {law_uses<"diffuse">, kOtherLaw}}},
       {"tone.reflected", {kStrokes, kBare, {law_uses<"reflected">, kOtherLaw}}},

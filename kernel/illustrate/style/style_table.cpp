@@ -117,6 +117,11 @@ std::vector<OptionRow<FillOptions>> fill_rows() {
       number("tint", &FillOptions::tint, {0, 1},
              "share of the spot ink in the lightest tone; the darkest has all of it"),
       flag("legend", &FillOptions::legend, "list the colour in the legend"),
+      flag("faces", &FillOptions::faces,
+           "an area for each face, so that drawing files and web pages know it; also without a "
+           "colour"),
+      flag("shadow", &FillOptions::shadow,
+           "the part casts the shadows of shadow.cast and shadow.ground"),
   };
   append(rows, "hatch", &FillOptions::hatch, fill_hatch_rows());
   return rows;
@@ -289,6 +294,8 @@ const std::vector<OtherNames>& all_other_names() {
        {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
       {"fill.opacity", {"transparency", "alpha"}},
       {"fill.ink", {"spot color", "spot colour", "separation", "pantone", "spot ink", "plate"}},
+      {"fill.faces", {"face areas", "areas by face", "face regions", "data-face"}},
+      {"fill.shadow", {"casts shadow", "no part shadow", "shadow caster"}},
       {"fill.hatch", {"fill pattern", "hatch fill", "hatched fill", "pattern"}},
       {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
       {"shadow.cast", {"cast shadows", "self shadow", "part shadow"}},

@@ -158,6 +158,20 @@ TEST(Select, APatternMeansWhatIsInTheOneAssemblyBeforeItself) {
   EXPECT_EQ(select(s, "gear*"), (Parts{0, 1, 2, 3})) << "no assembly holds all";
 }
 
+TEST(Select, ANameOfTheOneAssemblyAndOfAPartMeansThePart) {
+  Scene s;
+  for (const char* name : {"rod", "nut", "rod #2", "washer"}) {
+    s.parts.emplace_back();
+    s.parts.back().name = name;
+    s.parts.back().assembly = {"rod"};
+  }
+  EXPECT_EQ(select(s, "rod"), (Parts{0, 2}));
+  EXPECT_EQ(levels_above(s, Parts{0, 2}, "rod"), (Parts{0, 0}));
+  EXPECT_EQ(select(s, "/rod"), (Parts{0, 1, 2, 3})) << "the path from the top is the assembly";
+  for (Part& part : s.parts) part.name = "rod";
+  EXPECT_EQ(select(s, "rod"), (Parts{0, 1, 2, 3}));
+}
+
 // A pattern of many stars against a long name is the classic that takes exponential time.
 TEST(Select, ManyStarsEndAtOnce) {
   Scene s;

@@ -2,6 +2,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 
 #include <burin_test/shapes.h>
+#include <burin_test/turned.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -134,6 +135,52 @@ TEST(MeshForm, RoundedFacetsKeepCreasesRegionsAndFlatFaces) {
   EXPECT_NEAR(rims, 2 * 2 * 2 * test::kPi * 10, 0.1);  // two rims, seen from both sides
   const MeshForm block(test::box({0, 0, 0}, {1, 2, 3}));
   EXPECT_EQ(block.realise({.tolerance = 1e-6}, context)->proxy().mesh.triangles.size(), 12U);
+}
+
+// As OpenSCAD makes the sum of a box and a ball: sides that bend by 30 degrees into their fillets.
+TEST(MeshForm, FlatFacesBesideCoarseFilletsKeepTheirNormals) {
+  TriMesh mesh = test::turned(test::sphere_profile(3, 12), 12);
+  const double turn = test::kPi / 12;
+  for (Vec3& p : mesh.positions) {
+    p = Vec3(std::cos(turn) * p.x - std::sin(turn) * p.y,
+             std::sin(turn) * p.x + std::cos(turn) * p.y, p.z);
+    p += Vec3(std::copysign(15, p.x), std::copysign(10, p.y), std::copysign(5, p.z));
+  }
+  RunContext context;
+  const auto s = MeshForm(mesh).realise({.tolerance = 0.01, .curvature = false}, context);
+  const ProxyMesh& proxy = s->proxy();
+  ASSERT_GT(proxy.mesh.triangles.size(), 4 * mesh.triangles.size()) << "fillets are divided";
+  double area = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    const Vec3 n = proxy.mesh.normal(f);
+    if (std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) < 1 - 1e-9) continue;
+    area += proxy.mesh.area(f);
+    for (const std::uint32_t w : proxy.wedges[f]) {
+      EXPECT_LT(glm::distance(proxy.wedge_normal[w], n), 1e-3) << proxy.wedge_position(w).z;
+    }
+  }
+  EXPECT_GT(area, 2 * (30 * 20 + 30 * 10 + 20 * 10));
+}
+
+TEST(MeshForm, StripsOfACylinderAreStraightUpToACoarseFillet) {
+  std::vector<Vec2> profile = {{10, 0}};
+  for (const double a : {0.0, 30.0, 60.0, 90.0}) {
+    const double angle = a * test::kPi / 180;
+    profile.push_back({8 + 2 * std::cos(angle), 30 + 2 * std::sin(angle)});
+  }
+  RunContext context;
+  const auto s =
+      MeshForm(test::turned(profile, 24)).realise({.tolerance = 0.01, .curvature = false}, context);
+  const ProxyMesh& proxy = s->proxy();
+  int rim = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    if (std::abs(proxy.mesh.normal(f).z) > 1e-6) continue;
+    for (const std::uint32_t w : proxy.wedges[f]) {
+      rim += proxy.wedge_position(w).z > 29.9 ? 1 : 0;
+      EXPECT_LT(std::abs(proxy.wedge_normal[w].z), 2e-3) << proxy.wedge_position(w).z;
+    }
+  }
+  EXPECT_GT(rim, 48) << "edges of strips are divided";
 }
 
 TEST(MeshForm, SaysWhereRoundingIsCutShort) {

@@ -191,6 +191,36 @@ TEST(CastShadow, GlassCastsNone) {
   EXPECT_EQ(toned_area(lit.draw(), 0, 0), nullptr);
 }
 
+TEST(CastShadow, FallsOnAPartThatCastsNoneAndThroughIt) {
+  Lit lit;
+  add_cube_on_plate(lit);
+  // A lid that the light passes through, over half of the plate.
+  lit.add(test::box({-40, -40, 24}, {40, 0, 25}));
+  lit.add(test::box({-12, -12, 30}, {-2, -2, 34}));
+  lit.options.part_styles.resize(4);
+  lit.options.verify = true;
+  Style& lid = lit.options.part_styles[2].style.emplace(lit.style);
+  lid.fill.shadow = false;
+  lit.view.direction = {0, 1, 1};
+  lit.view.up = {0, 0, 1};
+  const Drawing drawing = lit.draw();
+  EXPECT_NE(toned_area(drawing, 0, 0), nullptr);
+  EXPECT_NE(toned_area(drawing, 2, 0), nullptr) << "it has the shadow of the box over it";
+  EXPECT_EQ(drawing.stats.verify->wrong_patches, 0);
+  lid.fill.shadow = true;
+  EXPECT_GT(test::signed_area(*toned_area(lit.draw(), 0, 0)),
+            test::signed_area(*toned_area(drawing, 0, 0)) + 100);
+  for (PartStyle& one : lit.options.part_styles) {
+    one.style = lit.style;
+    one.style->fill.shadow = false;
+  }
+  const Drawing none = lit.draw();
+  EXPECT_EQ(toned_area(none, 0, 0)->fill, toned_area(drawing, 0, 0)->fill) << "walls in shade";
+  EXPECT_LT(test::signed_area(*toned_area(none, 0, 0)),
+            test::signed_area(*toned_area(drawing, 0, 0)) - 100);
+  EXPECT_EQ(none.stats.verify->wrong_patches, 0);
+}
+
 TEST(CastShadow, FacesOfCutsAreLit) {
   Lit lit;
   lit.add(cut_form(std::make_shared<MeshForm>(test::box({-40, -40, -5}, {40, 40, 5})),

@@ -176,6 +176,29 @@ TEST(GroundShadow, HasNoRoomWhereGlassCastsNone) {
   EXPECT_LT(scale(), 0.9 * without);
 }
 
+TEST(GroundShadow, APartThatCastsNoneHasNeitherShadowNorRoomForIt) {
+  const Scene scene = boxes({{{-9, -9, 0}, {9, 9, 2}}, {{-10, -10, 2}, {10, 10, 60}}});
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  std::vector<PartStyle> looks(2);
+  looks[1].style = style;
+  const NamedView v = named_view("iso");
+  const ViewOptions options{.direction = v.direction, .up = v.up, .paper = {200, 200}};
+  const auto size = [&](bool shadow) {
+    looks[1].style->fill.shadow = shadow;
+    const Camera camera = Camera::fit(extent_with_shadow(scene, style, looks, options), options);
+    RunContext context;
+    const Drawing drawing = illustrate(scene, camera, style, {.part_styles = looks}, context);
+    const Area* seen = shadow_of(drawing);
+    const double scale = camera.scale();
+    return std::pair(scale, seen ? test::signed_area(*seen) / (scale * scale) : 0);
+  };
+  const auto with = size(true), without = size(false);
+  EXPECT_LT(with.first, 0.9 * without.first);
+  EXPECT_GT(with.second, 4 * without.second);
+  EXPECT_GT(without.second, 0) << "that of the foot";
+}
+
 TEST(GroundShadow, IsCutAtTheEdgeOfTheSheetUnlessTheStyleKeepsIt) {
   const Scene scene = boxes({{{-10, -15, 0}, {10, 15, 40}}});
   Style style = builtin_style("flat");

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -83,6 +84,37 @@ TEST(Regions, OfABoxAreItsThreeFaces) {
   EXPECT_NEAR(sizes[0], 200, 1e-6);
   EXPECT_NEAR(sizes[1], 300, 1e-6);
   EXPECT_NEAR(sizes[2], 600, 1e-6);
+}
+
+TEST(Regions, AreThoseOfFacesWhereTheStyleOfAPartSaysSo) {
+  Shown s;
+  s.add(test::box(Vec3(0), {20, 30, 10}));
+  s.add(moved(test::box(Vec3(0), {20, 30, 10}), {40, 0, 0}));
+  s.direction = {1, -1, 1};
+  s.style.fill.steps = 2;
+  Style by_face = s.style;
+  by_face.fill.faces = true;
+  s.options.part_styles.resize(2);
+  s.options.part_styles[1].style = by_face;
+  std::set<std::int32_t> faces;
+  std::map<std::int32_t, double> size;
+  const Drawing d = s.draw();
+  for (const Area& area : d.areas) {
+    EXPECT_EQ(area.part == 0, area.face < 0);
+    // The lightest area of a part or face comes first and holds the darker ones.
+    const bool first = area.face < 0 ? size.count(0) == 0 : faces.insert(area.face).second;
+    if (first) size[area.part] += size_of(area);
+  }
+  EXPECT_EQ(faces.size(), 3u) << "the seen ones";
+  EXPECT_NEAR(size[0], size[1], 0.01);
+  by_face.fill.color = "none";
+  s.style.fill.color = "none";
+  s.options.part_styles[1].style = by_face;
+  s.options.verify = true;
+  const Drawing bare = s.draw();
+  EXPECT_EQ(std::ranges::count_if(bare.areas, [](const Area& a) { return a.face >= 0; }), 3);
+  EXPECT_TRUE(std::ranges::all_of(bare.areas, [](const Area& a) { return a.fill.empty(); }));
+  EXPECT_EQ(bare.stats.verify->wrong_patches, 0);
 }
 
 TEST(Regions, OfABallAreTheRingsOfItsTones) {

@@ -190,6 +190,9 @@ TEST_F(SessionTest, PaintsTheSameBytesWhateverChanges) {
   options_.part_styles[0].style = style_;
   options_.part_styles[0].style->fill.color = "#00ff00";
   draw();
+  options_.part_styles[1].style = style_;
+  options_.part_styles[1].style->fill.shadow = false;
+  draw();
   options_.part_styles[0].transparent = false;
   direction_ = {1, -1, 0.4};
   draw();

@@ -43,7 +43,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 15u /*line*/ + 11u /*feature*/ + 35u + 17u + 2u /*tones*/ + 11u /*fill*/ +
+  EXPECT_EQ(keys.size(), 15u /*line*/ + 11u /*feature*/ + 35u + 17u + 2u /*tones*/ + 13u /*fill*/ +
                              3u /*shadow*/ + 3u /*halo*/ + 3u /*depth*/ + 3u /*sheet*/ +
                              6u /*callout*/ + 5u /*dimension*/ + 3u /*break*/ + 4u /*pmi*/ +
                              4u /*svg*/ + 1u /*json*/);

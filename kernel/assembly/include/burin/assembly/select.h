@@ -26,9 +26,9 @@ std::vector<std::string> selectors_of(const Scene& scene);
 /// A selector is a name or names with slashes between them, at any depth of the assembly, from its
 /// top where it begins with a slash; they lead to a part, or to an assembly, whose parts are all
 /// meant. In a name * is any text and ? any letter; ** stands for any number of names. Not from the
-/// top, "bolt" means "bolt #2" too: readers number what the input calls the same. A name with * or
-/// ? means what is within the one assembly that holds all, before that assembly: "gear*" are the
-/// gears of a gear pump.
+/// top, "bolt" means "bolt #2" too: readers number what the input calls the same. A name
+/// means what is within the one assembly that holds all, before that assembly: "gear*" are the
+/// gears of a gear pump, "rod" is the rod of an assembly "rod".
 /// @color=#88c0ff selects by colour, @index=3 by number, from 0, as `burin info` and
 /// drawing files count, @file=lid.stl those of a file.
 ///

@@ -103,6 +103,10 @@ struct FillOptions {
   double tint = 0.3;
   /// Whether the part stands in the legend of colours.
   bool legend = true;
+  /// Whether each face is an area of its own, painted or not.
+  bool faces = false;
+  /// Whether the part casts the shadows that the drawing has, on parts and on the ground.
+  bool shadow = true;
   FillHatch hatch{};
 
   bool operator==(const FillOptions&) const = default;

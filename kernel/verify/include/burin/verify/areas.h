@@ -53,6 +53,8 @@ struct AreaRule {
   /// From the model to the light by which solid parts cast shadows, which have the step 0; nothing:
   /// none do.
   std::optional<Vec3> shadows{};
+  /// One a part: those that cast none, glass too; empty: all do.
+  std::vector<bool> unshaded{};
 };
 
 /// Who is asked for what is seen.
@@ -66,6 +68,8 @@ struct AreaWitnesses {
   /// Of meshes as coarse as they were drawn: what is noise of their triangles depends on these
   /// (`light_normals`). Null: the solid parts are.
   const Referee* toned = nullptr;
+  /// Of the parts that cast shadows. Null: the solid parts do.
+  const Referee* casting = nullptr;
 };
 
 /// Compares areas with rays at single places. Read by many threads.

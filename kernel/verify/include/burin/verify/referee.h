@@ -87,9 +87,9 @@ class Referee {
   const RefereeOptions& options() const { return options_; }
   /// What stands between a sheet and a light far away.
   enum class Shade : std::uint8_t { Lit, Shaded, Unsure };
-  /// `to_light`: from the model. Unsure: what shades it, or does not, is as near to the sheet as
-  /// both tessellations may be off. Cost: two rays.
-  Shade shade(const Sheet& sheet, Vec3 to_light) const;
+  /// `to_light`: from the model. `casting`: the referee of what casts shadows. Unsure: what shades
+  /// it, or does not, is as near to the sheet as both tessellations may be off. Cost: two rays.
+  Shade shade(const Sheet& sheet, Vec3 to_light, const Referee& casting) const;
   double radius() const { return options_.radius; }
   /// How the surface bends at a line: a contour is a fold, a sharp one where it is an edge.
   enum class Fold : std::uint8_t { None, Sharp, Smooth };
