@@ -215,6 +215,7 @@ PartStyle look_of(const ArrowRow& row, const Style& style) {
   look.style->fill.color = row.color.empty() ? "none" : row.color;
   look.style->fill.legend = false;
   look.style->fill.darkest = 1;  // one flat colour, lit or not
+  look.style->fill.shadow = false;
   look.style->feature.centre_lines = false;
   return look;
 }
