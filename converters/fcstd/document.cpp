@@ -27,6 +27,7 @@ class ObjectReader {
     const std::string_view name = property.attribute("name").value();
     const Node value = first_element(property);
     if (o_.hole) o_.hole->take(name, value);
+    if (o_.pattern) o_.pattern->take(name, value);
     if (name == "Label") {
       // A label of blanks says nothing.
       if (std::string label = clean_name(text_of(value)); !label.empty()) o_.label = label;
@@ -226,6 +227,7 @@ void FcDocument::read_objects() {
     object.type = node.attribute("type").value();
     object.label = clean_name(object.name);
     if (object.is("PartDesign::Hole")) object.hole.emplace();
+    object.pattern = FcPattern::of_type(object.type);
     if (objects_.size() >= kMostObjects) source_.fail("holds absurdly many objects; it is damaged");
     const auto number = static_cast<std::int32_t>(objects_.size());
     if (index_.emplace(object.name, number).second) objects_.push_back(std::move(object));

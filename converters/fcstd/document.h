@@ -5,6 +5,7 @@
 #include <burin/forms/charted/chart.h>
 
 #include "package.h"
+#include "patterns.h"
 #include "source.h"
 #include "threads.h"
 
@@ -65,6 +66,8 @@ struct FcObject {
   std::string tip;
   /// Of a PartDesign::Hole.
   std::optional<FcHole> hole;
+  /// Of what repeats features of PartDesign.
+  std::optional<FcPattern> pattern;
   /// Of a sketch: the centres of its circles, in its own plane.
   std::vector<Vec3> circles;
 

@@ -167,11 +167,19 @@ class Maker {
   /// Those of the holes of a body.
   void add_threads(const FcUse& use, const Placement& place) {
     if (measures_ || !use.object->is_body()) return;
-    std::vector<std::string> unknown;
-    for (const Thread& thread : detail::threads_of(*use.document, *use.object, unknown)) {
+    detail::LostThreads lost;
+    for (const Thread& thread : detail::threads_of(*use.document, *use.object, lost)) {
       made_.parts.back().threads.push_back(placed(thread, place));
     }
-    for (const std::string& hole : unknown) {
+    for (const std::string& pattern : lost.patterns) {
+      if (!unknown_threads_.insert(pattern).second) continue;
+      made_.diagnostics.add(Severity::Warning, "fcstd.thread_pattern", 1,
+                            fmt::format("{}: it repeats threads along an edge or a face; these "
+                                        "copies are not drawn (`thread` draws them; an axis of a "
+                                        "sketch or of the body is followed)",
+                                        pattern));
+    }
+    for (const std::string& hole : lost.sizes) {
       if (!unknown_threads_.insert(hole).second) continue;
       made_.diagnostics.add(Severity::Warning, "fcstd.thread_size", 1,
                             fmt::format("{}: the size of its thread is none that is known; the "

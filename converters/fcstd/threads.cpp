@@ -90,20 +90,73 @@ std::vector<Vec3> circle_centers(const pugi::xml_node& geometry) {
   return out;
 }
 
-std::vector<Thread> threads_of(const FcDocument& document, const FcObject& body,
-                               std::vector<std::string>& unknown) {
-  std::vector<Thread> out;
-  for (const std::string& name : body.group) {
-    const FcObject* object = object_named(document, name);
-    if (object && object->hole && object->hole->threaded && !object->hole->modelled) {
-      const auto size = size_of(*object->hole);
-      const FcObject* profile = object_named(document, object->hole->profile);
-      if (!size) unknown.push_back(object->label);
-      if (size && profile) add_threads(*object->hole, *size, *profile, out);
+namespace {
+
+/// The threads of a body by the feature that made each.
+class BodyThreads {
+ public:
+  BodyThreads(const FcDocument& document, LostThreads& lost) : document_(document), lost_(lost) {}
+
+  void add(const std::string& name, const FcObject& object) {
+    if (object.hole && object.hole->threaded && !object.hole->modelled) add_hole(name, object);
+    if (object.pattern) add_pattern(name, object);
+  }
+
+  std::vector<Thread> all() && {
+    std::vector<Thread> out;
+    for (Made& one : made_) out.push_back(std::move(one.thread));
+    return out;
+  }
+
+ private:
+  struct Made {
+    std::string feature;
+    Thread thread;
+  };
+
+  void add_hole(const std::string& name, const FcObject& object) {
+    const auto size = size_of(*object.hole);
+    const FcObject* profile = object_named(document_, object.hole->profile);
+    if (!size) lost_.sizes.push_back(object.label);
+    if (!size || !profile) return;
+    std::vector<Thread> threads;
+    add_threads(*object.hole, *size, *profile, threads);
+    for (Thread& thread : threads) made_.push_back({name, std::move(thread)});
+  }
+
+  void add_pattern(const std::string& name, const FcObject& object) {
+    const std::vector<std::string>& originals = object.pattern->originals;
+    std::vector<Thread> repeated;
+    for (const Made& one : made_) {
+      const bool is_original = std::ranges::find(originals, one.feature) != originals.end();
+      if (is_original || object.pattern->whole) repeated.push_back(one.thread);
     }
+    if (repeated.empty()) return;
+    const auto copies = copies_of(document_, *object.pattern);
+    if (!copies) {
+      lost_.patterns.push_back(object.label);
+      return;
+    }
+    for (std::size_t k = 1; k < copies->size(); ++k) {
+      for (const Thread& thread : repeated) made_.push_back({name, placed(thread, (*copies)[k])});
+    }
+  }
+
+  const FcDocument& document_;
+  LostThreads& lost_;
+  std::vector<Made> made_;
+};
+
+}  // namespace
+
+std::vector<Thread> threads_of(const FcDocument& document, const FcObject& body,
+                               LostThreads& lost) {
+  BodyThreads threads(document, lost);
+  for (const std::string& name : body.group) {
+    if (const FcObject* object = object_named(document, name)) threads.add(name, *object);
     if (name == body.tip) break;
   }
-  return out;
+  return std::move(threads).all();
 }
 
 }  // namespace burin::detail

@@ -38,9 +38,14 @@ struct FcHole {
 /// The centres of the circles of a list of geometry that are no construction lines.
 std::vector<Vec3> circle_centers(const pugi::xml_node& geometry);
 
-/// The threads of the holes of a body, up to its tip, in its own frame; no faces are known. Names
-/// of holes whose size is not known go to `unknown`.
-std::vector<Thread> threads_of(const FcDocument& document, const FcObject& body,
-                               std::vector<std::string>& unknown);
+/// Holes and patterns whose threads are not drawn, by their labels.
+struct LostThreads {
+  /// Of a size that is not known; repeated along an edge or a face of the shape.
+  std::vector<std::string> sizes = {}, patterns = {};
+};
+
+/// The threads of the holes of a body, up to its tip, and of their copies in patterns, in its own
+/// frame; no faces are known.
+std::vector<Thread> threads_of(const FcDocument& document, const FcObject& body, LostThreads& lost);
 
 }  // namespace burin::detail

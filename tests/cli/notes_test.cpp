@@ -132,7 +132,8 @@ TEST_F(ArrowsOfDrawings, ComeFromTheCommandTheFileAndTheProgram) {
   ASSERT_EQ(run("draw @/a.scad -o @/a.json"), 0) << err_;
   EXPECT_EQ(parts(), (Names{"a", "arrow 1"}));
   ASSERT_EQ(run("draw @/box.csg --arrows steps -o @/a.json"), 0);
-  EXPECT_NE(err_.find("--arrows has no effect without option --explode"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("--arrows has no effect without option --explode"), std::string::npos)
+      << err_;
 }
 
 TEST_F(ArrowsOfDrawings, SayInOneLineWhatIsWrong) {

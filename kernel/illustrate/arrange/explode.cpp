@@ -123,7 +123,7 @@ std::vector<ExplodeStep> place_parts(Scene& scene, Illustration& illustration,
   }
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
-  const std::vector<ExplodeStep> steps =
+  std::vector<ExplodeStep> steps =
       explode_steps(scene, illustration.explode, drawn, model, context);
   std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), illustration.explode.factor);
   if (illustration.finds_view) find_view(scene, illustration, model, moves, context);

@@ -60,6 +60,31 @@ class Threads(Case):
             middle, radius = (15, 3) if y < 30 else (42, 5)  # (x, y) of the body is at (100 - y, x)
             self.assertAlmostEqual(math.hypot(x - 80, y - middle), radius, 5)
 
+    def test_patterns_repeat_them(self):
+        from freecad.burin_wb.features.threads import threads_of
+
+        body = self.plate()
+        hole = body.Tip
+
+        def pattern(kind, **keys):
+            made = self.doc.addObject("PartDesign::" + kind, kind)
+            body.addObject(made)
+            made.Originals = [hole]
+            for key, value in keys.items():
+                setattr(made, key, value)
+            body.Tip = made
+            self.doc.recompute()
+            return [t["at"] for t in threads_of(body, App.Matrix())]
+
+        sketch = hole.Profile[0]
+        at = pattern("LinearPattern", Direction=(sketch, ["H_Axis"]), Reversed=True, Length=24, Occurrences=3)
+        self.assertEqual(sorted(round(p[0], 6) for p in at), [15, 18, 30, 42])
+        at = pattern("Mirrored", MirrorPlane=(self.doc.Block, ["Face1"]))  # x = 0
+        self.assertIn(-42, [round(p[0], 6) for p in at])
+        self.assertEqual(len(at), 5)
+        at = pattern("PolarPattern", Axis=(sketch, ["N_Axis"]), Angle=360, Occurrences=4)
+        self.assertEqual(len(at), 8)
+
     def test_a_key_turns_them_off(self):
         obj = self.illustration(self.plate(), ViewDirection=V(0, 0, 1), Style="outline", StyleKeys={"feature.threads": "false"})
         self.assertEqual(self.lines(obj), [])
