@@ -1,3 +1,4 @@
+#include <burin/annotate/symbols.h>
 #include <burin/base/error.h>
 #include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
@@ -17,6 +18,7 @@
 #include "held.h"
 #include "module.h"
 #include "run.h"
+#include "symbols.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -289,6 +291,26 @@ void register_writer(const std::string& suffix, const py::object& function,
   });
 }
 
+void register_symbol(const std::string& name, const py::object& function,
+                     const std::string& meaning, const py::object& options) {
+  const Registered b = registered(name, function, meaning, options);
+  const auto draw = [b](const SymbolRequest& r) {
+    return guarded(PluginError::Row::Symbol, b.name, [&] {
+      Label label;
+      in_python([&] {
+        const py::object given =
+            b.with(values_of(r.values, b.name, b.options))(r.text, r.pens.height, r.pens.line);
+        label = label_of(given.cast<py::dict>());
+      });
+      return label;
+    });
+  };
+  note(BURIN_SYMBOL_1, b, [&] {
+    burin::add(
+        SymbolKind{.name = b.name, .meaning = b.meaning, .draw = draw, .options = b.options});
+  });
+}
+
 py::list plugins() {
   py::list out;
   for (const plugin::Plugin& p : plugin::plugins()) {
@@ -327,6 +349,13 @@ void add_plugins(py::module_& module) {
   add("register_form", register_form,
       "Makes a function the input \"form:NAME\": it is called with its options and gives (values, "
       "bounds) or (values, bounds, gradients), as `Scene.add_function` takes them.");
+  add("register_symbol", register_symbol,
+      "Makes a function a \"symbol\" of notes: it gets the text, the height of letters and the "
+      "width of lines in mm of paper, and its options as keywords, and gives a mapping: \"size\" "
+      "(width, height), \"lines\" [(points, width)], \"fills\" [(rings, colour or \"\")], "
+      "\"texts\" "
+      "[(x, y, height, text)], \"shoulder\" (where the leader meets it, above its lower edge), "
+      "\"underlined\".");
   module.def(
       "register_reader", register_reader, py::arg("name"), py::arg("suffixes"), py::arg("function"),
       py::arg("meaning") = "", py::arg("options") = py::none(),

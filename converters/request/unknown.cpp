@@ -37,6 +37,9 @@ const std::vector<Elsewhere>& elsewhere() {
         "color scheme", "colour scheme", "paint"},
        "`style flat` draws parts in their colours; style key fill.color is one for all of them, "
        "line.color that of lines, and `highlight` colours single parts"},
+      {{"shadows", "shadow", "cast shadows", "drop shadow", "ground shadow", "shading shadow"},
+       "style key shadow.cast draws shadows of parts on parts, shadow.ground those on the ground; "
+       "`style shaded` has both"},
       {{"antialias", "aa", "samples", "supersample", "msaa"},
        "lines are exact; the style key png.dpi sets the pixels of PNG files"},
       {{"texture", "textures", "uv", "material", "materials", "materials file", "mtl"},

@@ -55,6 +55,22 @@ class Registered(unittest.TestCase):
         ink = [float(np.sum(d.arrays()["width"])) for d in (light, dark)]
         self.assertGreater(ink[1], 1.5 * ink[0])
 
+    def test_a_symbol_stands_at_the_end_of_a_note(self):
+        def box(text, height, line, wide):
+            return {"size": (wide, 2 * height), "lines": [(np.array([[0, 0], [wide, 0], [wide, 2 * height]]), line)],
+                    "fills": [([[(0, 0), (1, 0), (0, 1)]], "#ff0000")], "texts": [(1, 1, height, text)]}
+
+        burin.register_symbol("box", box, options={"wide": {"default": 20.0, "low": 5, "high": 50}})
+        plan = {"notes": [{"at": "vase", "text": "clay", "symbol": "box", "box_wide": 30}]}
+        drawing = burin.draw(VASE, illustration=plan, **SMALL)
+        layer = next(layer for layer in drawing.layers if layer.name == "notes")
+        self.assertEqual([t["text"] for t in layer.texts], ["clay"])
+        self.assertIn("symbol", [a["role"] for a in drawing.areas])
+        widest = max(max(x for x, _ in p.points) - min(x for x, _ in p.points) for p in layer.paths if len(p.points) == 3)
+        self.assertAlmostEqual(widest, 30, 3)
+        burin.register_symbol("box", lambda text, height, line: {"size": (0, 1)})
+        self.assertIn("plugin.quarantined", codes(burin.draw(VASE, illustration={"notes": [{"at": "vase", "text": "clay", "symbol": "box"}]}, **SMALL)))
+
     def test_what_fails_is_left_out_with_a_diagnostic(self):
         def broken(positions, normals):
             raise ValueError("no way\nout")
