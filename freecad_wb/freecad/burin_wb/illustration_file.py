@@ -117,8 +117,7 @@ def _apart(burin, job, names):
     data.update({key: said[key] for key in ("views", "projection") if key in said})
     if "details" in said:
         data["details"] = [{**one, "select": named(one["select"])} if "select" in one else one for one in said["details"]]
-    if "dimensions" in said:
-        data["dimensions"] = [_measured(row, named) for row in said["dimensions"]]
+    data.update({key: [_measured(row, named) for row in said[key]] for key in ("dimensions", "notes") if key in said})
     if said.get("items"):
         data["items"] = _item_names(burin, job, names)
     data.update({key: job.options[key] for key in ("callouts", "parts_list", "legend") if key in job.options})
@@ -126,7 +125,7 @@ def _apart(burin, job, names):
 
 
 def _measured(said, named):
-    """A dimension with the names that its parts have in the file."""
+    """A dimension or a note with the names that its parts have in the file."""
     if isinstance(said, list):
         return [_measured(one, named) for one in said]
     if isinstance(said, dict):

@@ -5,7 +5,7 @@ from .explosion import taken
 from .illustration import ask_to_end, make_job
 
 # Keys about one sheet.
-SHEET = "views", "projection", "details", "dimensions"
+SHEET = "views", "projection", "details", "dimensions", "notes"
 
 
 def steps_job(obj):
