@@ -276,8 +276,8 @@ class Job:
         return [f"{self.measured[name][1]} is not drawn: {why}" for name, why in left.items()]
 
     def draw_rest(self, burin, progress=None, cancel=None, kept=None):
-        """As `draw`, without the dimensions and notes that the kernel refuses: the drawing, the job that has it, and why others are left out, by
-        their names. One more run for each of those; they are few."""
+        """As `draw`, without the dimensions and notes that the kernel refuses: the drawing, the job that has it, and why others are left out,
+        by their names. One more run for each of those; they are few."""
         job, left = self, {}
         while True:
             try:

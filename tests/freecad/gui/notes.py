@@ -39,7 +39,8 @@ class Command(Notes):
     def test_written_undone_and_redone(self):
         panel = self.open_note(self.top())
         self.is_narrow_and_told(panel)
-        self.assertTrue(panel.words.hasFocus() and not panel.words.visibleRegion().isEmpty(), "one may type at once")
+        self.assertTrue(panel.words.hasFocus(), "one may type at once")
+        self.assertFalse(panel.words.visibleRegion().isEmpty(), "and sees it")
         one, = self.obj.Dimensions
         self.assertEqual((one.Kind, self.rows(panel), self.icons()), ("Note", ["Note"], ["burin_stale.svg"]))
         self.assertIn("Note: it has no words; write some in Text", panel.message.text())
@@ -104,6 +105,7 @@ class Panel(Notes):
         panel.symbol_kind.setCurrentIndex(panel.symbol_kind.findData("removed"))
         self.wait()
         one = self.obj.Dimensions[1]
+        support.screenshot("notes-symbols")
         self.assertEqual((one.Symbol, dict(one.SymbolKeys), self.notes(), self.obj.Message), ("surface", {"surface_material": "removed"}, ["Ra 1.6"], ""))
         panel.symbol.setCurrentIndex(panel.symbol.findData("balloon"))
         self.assertFalse(panel.symbol_kind.isEnabled())

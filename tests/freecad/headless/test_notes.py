@@ -2,6 +2,7 @@
 
 import json
 import os
+from unittest import mock
 
 import Part
 from pump import pump
@@ -11,7 +12,7 @@ from test_dimensions import facing, round_one
 from freecad.burin_wb import features, illustration_file, offers, step_book
 from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import make_dimension, make_note
-from freecad.burin_wb.features.asking import steps_job
+from freecad.burin_wb.features.asking import items_of, steps_job
 from freecad.burin_wb.features.dimension import illustrations_of
 from freecad.burin_wb.features.illustration import make_job
 from freecad.burin_wb.features.properties import DIMENSION, NOT_OF_NOTES, OF_NOTES
@@ -151,15 +152,17 @@ class Kept(Notes):
     def test_saved_opened_and_edited(self):
         obj = self.plate()
         self.add(obj, facing(self.part, TOP), "", Text="Ra 1.6", Symbol="surface", SymbolKeys={"surface_material": "removed"})
+        self.add(obj, "", Text="two\nlines")
         kept = content(obj.Drawing)
         obj = self.reopen(obj)
-        one, = obj.Dimensions
+        one, two = obj.Dimensions
+        self.assertEqual(two.Text, "two\nlines")
         self.assertEqual((one.Kind, one.Symbol, dict(one.SymbolKeys), "Touched" in one.State), ("Note", "surface", {"surface_material": "removed"}, False))
         self.redraw(obj)
         self.assertEqual((obj.Message, content(obj.Drawing)), ("", kept))
         one.Text = "Ra 3.2"
         self.doc.recompute()
-        self.assertEqual(self.texts(obj), ["Ra 3.2"])
+        self.assertEqual(self.texts(obj), ["Ra 3.2", "lines", "two"])
 
     def test_undone_and_copied(self):
         self.doc.UndoMode = 1
@@ -267,6 +270,7 @@ class Told(Notes):
             self.assertEqual((self.texts(obj), len(self.texts(obj, "dimension"))), (["top"], 4))
             self.assertEqual([bool(one.Message) for one in (bore, top, whole)], [False, False, True], "the tree's mark")
             self.assertFalse([one.Name for one in (obj, *obj.Dimensions) if "Touched" in one.State])
+            self.assertEqual([item["name"] for item in items_of(obj)], ["Plate"])
             for name, value in before.items():
                 setattr(whole, name, value)
             self.doc.recompute()
@@ -326,6 +330,18 @@ class Files(Notes):
             self.assertEqual([note["text"] for note in json.load(file)["notes"]], ["b"])
         burin().draw(path)
 
+    def test_an_assembly_has_its_first_part_in_the_file(self):
+        part = pump(self.doc)
+        obj = self.sheet(part)
+        make_note(obj, [(part, "")], Text="a")
+        self.doc.recompute()
+        path, said = os.path.join(self.folder, "pump.burin.json"), []
+        with mock.patch("freecad.burin_wb.illustration_file.tell", lambda text, *_: said.append(text)):
+            illustration_file.write(obj, path)
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["notes"], [{"text": "a", "at": {"part": "/" + make_job(obj).parts[0].name}}])
+        self.assertIn(f"the note at {part.Label} points at {make_job(obj).parts[0].name} in the file, its first part", said[0])
+
     def test_files_of_others(self):
         part = pump(self.doc)
         path = os.path.join(self.folder, "by-hand.burin.json")
@@ -335,8 +351,6 @@ class Files(Notes):
                 "Bolt=M6\\nby hand", "25,20,16=near", {"at": "*", "text": "all"}, {"at": ["Lid", [25, 20, 16]], "text": "two", "unit": "inch"},
                 {"at": {"point": [1, 2, 3]}, "text": "nowhere"}, {"at": "@index=0", "text": "first", "symbol": "balloon"}]}, file)
         said = []
-        from unittest import mock
-
         with mock.patch("freecad.burin_wb.illustration_read.tell", lambda text, *_: said.append(text)):
             read_ = illustration_file.read(self.doc, path)
         self.doc.recompute()

@@ -62,7 +62,7 @@ def is_dimension(obj):
 
 
 def is_note(dimension):
-    return dimension.Kind == NOTE
+    return getattr(dimension, "Kind", "") == NOTE
 
 
 def dimensions_of(illustration):

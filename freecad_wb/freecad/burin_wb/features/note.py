@@ -10,9 +10,14 @@ from .looks import path_of
 NOTE = "Note"
 
 
+def lines_of(text):
+    """A text whose lines may be parted by a backslash and n, too, as one types them into a field of one line."""
+    return text.replace("\\n", "\n")
+
+
 def words_of(one):
-    """What a note says: \\n begins a line, too."""
-    return one.Text.replace("\\n", "\n").strip()
+    """What a note says."""
+    return lines_of(one.Text).strip()
 
 
 def problem(one, found):

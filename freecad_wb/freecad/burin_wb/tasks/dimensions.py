@@ -6,16 +6,18 @@ from PySide import QtCore, QtGui
 from .. import kernel
 from ..errors import Refused
 from ..features.dimension import MOST_DECIMALS, dimensions_of, is_note, kinds, make_dimension, make_note
+from ..features.note import lines_of
 from ..features.stands_for import illustrations_by
 from ..text import tr
 from ..view.dimension import light_features
 from . import widgets
 from .panel import Panel
 
+
 class DimensionsPanel(Panel):
     def __init__(self, obj, chosen=None):
         """`chosen`: the dimension or note that is selected at first."""
-        self._at_first, self._quiet, self.rows = chosen, False, []
+        self._at_first, self._quiet, self.rows, self._area = chosen, False, [], None
         super().__init__(obj)
 
     @property
@@ -49,18 +51,28 @@ class DimensionsPanel(Panel):
         form.addRow(tr("View"), self.texts["View"])
         self._list(self._at_first)
         if self._at_first is not None and is_note(self._at_first):
-            QtCore.QTimer.singleShot(0, lambda: self._write())  # when it stands in its window
+            QtCore.QTimer.singleShot(0, lambda: self.over or self._begin())  # when it is in its window
 
-    def _write(self):
-        """Has what one types go into the words."""
-        if self.over:
-            return
+    def _begin(self):
+        """Has what one types go into the words, and these in sight while the panel finds its place."""
         self.words.setFocus()
         area = self.form
         while area is not None and not isinstance(area, QtGui.QScrollArea):
             area = area.parentWidget()
+        self._area = area
         if area is not None:
-            area.ensureWidgetVisible(self.words)
+            area.verticalScrollBar().rangeChanged.connect(self._keep_in_sight)
+
+    def _keep_in_sight(self, *_):
+        if self.words.hasFocus():
+            self._area.ensureWidgetVisible(self.words)
+
+    def closing(self):
+        try:
+            if self._area is not None:
+                self._area.verticalScrollBar().rangeChanged.disconnect(self._keep_in_sight)
+        except RuntimeError:  # the window is gone
+            pass
 
     def _add_words(self, form):
         """What notes alone have."""
@@ -144,8 +156,8 @@ class DimensionsPanel(Panel):
                     self._form.labelForField(field).setVisible(is_shown)
         if one is None or not is_note(one):
             return
-        if self.words.toPlainText() != one.Text.replace("\\n", "\n"):
-            self.words.setPlainText(one.Text.replace("\\n", "\n"))
+        if lines_of(self.words.toPlainText()) != lines_of(one.Text):  # else the cursor stays where one types
+            self.words.setPlainText(lines_of(one.Text))
         self.symbol.setCurrentIndex(self.symbol.findData(one.Symbol))
         self.frame.setChecked(one.Frame)
         key, words = self._option_of(one.Symbol)
