@@ -6,7 +6,7 @@ from unittest import mock
 
 import Part
 from pump import pump
-from support import App, Case, V, burin, content
+from support import Case, V, burin, content
 from test_dimensions import facing, round_one
 
 from freecad.burin_wb import features, illustration_file, offers, step_book
@@ -17,7 +17,7 @@ from freecad.burin_wb.features.dimension import illustrations_of
 from freecad.burin_wb.features.illustration import make_job
 from freecad.burin_wb.features.properties import DIMENSION, NOT_OF_NOTES, OF_NOTES
 
-TOP, BOTTOM, LEFT, RIGHT = V(0, 0, 1), V(0, 0, -1), V(-1, 0, 0), V(1, 0, 0)
+TOP, BOTTOM = V(0, 0, 1), V(0, 0, -1)
 
 
 class Notes(Case):

@@ -1,7 +1,6 @@
 """Notes: what they say and point at. They are dimensions of the kind Note: objects that follow faces, edges and vertices, and whole
 objects too."""
 
-from ..errors import Refused
 from ..text import tr
 from .chosen import is_selector, numbers_of_path
 from .found import drawn, for_kernel, left_out

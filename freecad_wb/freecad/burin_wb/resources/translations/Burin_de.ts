@@ -1013,7 +1013,7 @@
     </message>
     <message>
       <source>kept</source>
-      <translation>Material bleibt</translation>
+      <translation>bleibt</translation>
     </message>
     <message>
       <source>landscape</source>
@@ -1121,7 +1121,7 @@
     </message>
     <message>
       <source>removed</source>
-      <translation>Material abgetragen</translation>
+      <translation>abgetragen</translation>
     </message>
     <message>
       <source>select a face too</source>
