@@ -45,7 +45,7 @@ def words_of(tree):
 
 
 def offered():
-    """Words of the kernel that panels show: stages of a run, groups of style keys, standard views, what styles are for."""
+    """Words of the kernel that panels show: stages of a run, groups of style keys, standard views, what styles are for, symbols of notes."""
     told = offers.kept()
     yield from (*told["stages"], "check")  # the last one is the add-on's own (job.py)
     yield from (group for group in told["groups"] if group not in told["formats"])
@@ -53,6 +53,8 @@ def offered():
     yield from map(offers.title, told["views"])
     yield from told["options"]["hidden"]["words"]
     yield from told["styles"].values()
+    for symbol, options in told["symbols"].items():
+        yield from (symbol, *(word for words in options.values() for word in words))
 
 
 def words():

@@ -105,6 +105,12 @@ def _apart(burin, job, names):
     def named(selectors):
         return ["/" + names[k] for k in sorted({k for one in selectors for k in burin.select(parts, one)})]
 
+    def one(selector):
+        found = named([selector])
+        if len(found) > 1:
+            job.notes.append(f"the note at {selector[1:]} points at {found[0][1:]} in the file, its first part")
+        return found[0]
+
     said = job.options.get("illustration", {})
     data = {}
     if "section" in said:
@@ -117,8 +123,7 @@ def _apart(burin, job, names):
     data.update({key: said[key] for key in ("views", "projection") if key in said})
     if "details" in said:
         data["details"] = [{**one, "select": named(one["select"])} if "select" in one else one for one in said["details"]]
-    if "dimensions" in said:
-        data["dimensions"] = [_measured(row, named) for row in said["dimensions"]]
+    data.update({key: [_measured(row, one) for row in said[key]] for key in ("dimensions", "notes") if key in said})
     if said.get("items"):
         data["items"] = _item_names(burin, job, names)
     data.update({key: job.options[key] for key in ("callouts", "parts_list", "legend") if key in job.options})
@@ -126,11 +131,11 @@ def _apart(burin, job, names):
 
 
 def _measured(said, named):
-    """A dimension with the names that its parts have in the file."""
+    """A dimension or a note with the names that its parts have in the file: `named(selector)`."""
     if isinstance(said, list):
         return [_measured(one, named) for one in said]
     if isinstance(said, dict):
-        return {key: named([value])[0] if key == "part" else _measured(value, named) for key, value in said.items()}
+        return {key: named(value) if key == "part" else _measured(value, named) for key, value in said.items()}
     return said
 
 

@@ -44,7 +44,7 @@ def read(document, path):
     if told["title"]:
         obj.Label = told["title"]
     selectable = [pair for one in matches for pair in one.selectable()]
-    add_entries(obj, told["dimensions"], lambda selector: _selected(burin, [selector], selectable, notes, "dimension"), notes)
+    add_entries(obj, told, lambda selector, what: _selected(burin, [selector], selectable, notes, what), notes)
     tell(f"{obj.Label}: made from {path}" + "".join("; " + note for note in notes), *(() if notes else (NOTE,)))
     return obj
 

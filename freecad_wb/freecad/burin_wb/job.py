@@ -122,7 +122,7 @@ class Result:
     messages: List[str]  # of the kernel
     fingerprint: str
     numbers: Dict[str, str] = field(default_factory=dict)  # of all items, kept ones among them; nothing where none were asked for
-    left: Dict[str, str] = field(default_factory=dict)  # names of dimensions that the kernel does not draw, and why
+    left: Dict[str, str] = field(default_factory=dict)  # names of dimensions and notes that the kernel does not draw, and why
 
 
 UNCHANGED = Result(None, None, 0.0, [], "")
@@ -141,7 +141,8 @@ class Job:
     notes: List[str] = field(default_factory=list)  # what was left out, and why
     files: Dict[str, str] = field(default_factory=dict)  # style files with the hashes of what they hold
     unless: str = ""  # nothing is drawn where this is the fingerprint
-    measured: Dict[str, str] = field(default_factory=dict)  # names and labels of dimensions of features, in order
+    # Names of dimensions of features and of notes, in order: their key in illustrations, and their label.
+    measured: Dict[str, Tuple[str, str]] = field(default_factory=dict)
     left: Dict[str, str] = field(default_factory=dict)  # names of others that are left out, and why
     book: Tuple[List[str], int] = ([], 0)  # of a step book: files that are written, new items of a step at the most
 
@@ -242,45 +243,64 @@ class Job:
         return "; faulty shapes (see Part > Check geometry): " + shortened(found, ", ") if found else ""
 
     def told(self, text):
-        """What the kernel says, `plainly`, with the labels of dimensions for their numbers."""
-        labels = dict(enumerate(self.measured.values(), 1))
-        return _NUMBERED.sub(lambda said: labels.get(int(said.group(1)), said.group(0)), plainly(text))
+        """What the kernel says, `plainly`, with the labels of dimensions and notes for their numbers."""
+        return _NUMBERED.sub(lambda said: self.measured.get(self._name(said), ("", said.group(0)))[1], plainly(text))
+
+    def _name(self, said):
+        """Of a dimension or a note by its number; empty where there is none."""
+        names = [name for name, (key, _) in self.measured.items() if key == said.group(1) + "s"]
+        return names[int(said.group(2)) - 1] if 0 < int(said.group(2)) <= len(names) else ""
+
+    def _rows(self):
+        """(name, key, row) of each dimension and each note; those without a name measure no features."""
+        for key in ("dimensions", "notes"):
+            names = iter([name for name, (of, _) in self.measured.items() if of == key])
+            for row in self.options.get("illustration", {}).get(key, ()):
+                yield "" if isinstance(row, str) else next(names), key, row
 
     def without(self, names):
-        """The same job without some of its dimensions of features."""
+        """The same job without some of its dimensions of features and notes."""
         if not names:
             return self
-        rows, at = [], iter(self.measured)
-        for row in self.options.get("illustration", {}).get("dimensions", ()):
-            if isinstance(row, str) or next(at) not in names:
-                rows.append(row)
-        said = {**self.options.get("illustration", {}), "dimensions": rows}
-        if not rows:
-            del said["dimensions"]
+        said = {key: value for key, value in self.options.get("illustration", {}).items() if key not in ("dimensions", "notes")}
+        for name, key, row in self._rows():
+            if name not in names:
+                said.setdefault(key, []).append(row)
         options = {**self.options, "illustration": said}
         if not said:
             del options["illustration"]
-        return replace(self, options=options, measured={name: label for name, label in self.measured.items() if name not in names})
+        return replace(self, options=options, measured={name: of for name, of in self.measured.items() if name not in names})
 
     def refusals(self, left):
-        """What there is to say of dimensions that the kernel does not draw."""
-        return [f"{self.measured[name]} is not drawn: {why}" for name, why in left.items()]
+        """What there is to say of dimensions and notes that the kernel does not draw."""
+        return [f"{self.measured[name][1]} is not drawn: {why}" for name, why in left.items()]
 
     def draw_rest(self, burin, progress=None, cancel=None, kept=None):
-        """As `draw`, without the dimensions that the kernel refuses: the drawing, the job that has it, and why others are left out, by
-        their names. One more run for each of those; they are few."""
+        """As `draw`, without the dimensions and notes that the kernel refuses: the drawing, the job that has it, and why others are left out,
+        by their names. One more run for each of those; they are few."""
         job, left = self, {}
         while True:
             try:
                 return job.draw(burin, progress, cancel, kept), job, left
             except burin.Error as error:
-                said = _REFUSED.match(plainly(error))
-                names = list(job.measured)
-                if said is None or int(said.group(1)) > len(names):
+                name, why = job._refused(burin, plainly(error))
+                if not name:
                     raise
-                name = names[int(said.group(1)) - 1]
-                left[name] = said.group(2)
+                left[name] = why
                 job = job.without({name})
+
+    def _refused(self, burin, text):
+        """The name of the dimension or the note for whose sake nothing is drawn, and why; empty where it is for another reason."""
+        said = _REFUSED.match(text)
+        if said:
+            return self._name(said), said.group(3)
+        # Of what no row may say the kernel tells a line of a file; a row alone is refused by its own fault.
+        for name, key, row in self._rows():
+            try:
+                burin.illustration({"burin": "illustration", "parts": [{"file": "any.step"}], key: [row]})
+            except burin.UsageError as error:
+                return name, plainly(error)
+        return "", ""
 
     def run(self, burin, progress=None, cancel=None, kept=None):
         """As `draw`, for the document."""
@@ -298,11 +318,11 @@ class Job:
                           drawing.view.scale, messages, fingerprint.result(), numbers, left)
 
 
-# What the kernel calls a dimension.
-_NUMBERED = re.compile(r"\bdimension (\d+) \([a-z]+\)")
+# What the kernel calls a dimension or a note.
+_NUMBERED = re.compile(r"\b(dimension|note) (\d+)(?: \([a-z]+\))?")
 
 # How it says that it draws nothing for the sake of one.
-_REFUSED = re.compile(r"dimension (\d+) \([a-z]+\): (.*)", re.DOTALL)
+_REFUSED = re.compile(_NUMBERED.pattern + r": (.*)", re.DOTALL)
 
 
 def plainly(text):

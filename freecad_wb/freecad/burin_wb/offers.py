@@ -24,8 +24,15 @@ def asked(burin):
         "styles": burin.styles(),  # with what they are for
         "views": {name: [_rounded(direction), _rounded(up)] for name, (direction, up) in burin.views().items()},
         "papers": {name: list(size) for name, size in burin.papers().items()},  # width and height in mm
+        "symbols": _symbols(burin),  # of notes, with the words of their options, by their keys
         "groups": list(dict.fromkeys(row["key"].partition(".")[0] for row in burin.style_keys())),  # of style keys
     }
+
+
+def _symbols(burin):
+    rows = json.loads(burin.illustration_schema())["properties"]["notes"]["items"]["anyOf"]
+    keys = next(row["properties"] for row in rows if "properties" in row)
+    return {name: {key: row["enum"] for key, row in keys.items() if key.startswith(name + "_") and "enum" in row} for name in keys["symbol"]["enum"]}
 
 
 def _rounded(vector):

@@ -10,7 +10,7 @@ import support  # noqa: E402
 from PySide import QtCore, QtGui, QtSvg  # noqa: E402
 
 ICONS = pathlib.Path(__file__).resolve().parents[3] / "freecad_wb/freecad/burin_wb/resources/icons"
-PANELS = ("Burin_Edit", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts", "Burin_Detail", "Burin_SectionView", "Burin_Dimension")
+PANELS = ("Burin_Edit", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts", "Burin_Detail", "Burin_SectionView", "Burin_Dimension", "Burin_Note")
 # Of black and white.
 READABLE = 0.25
 # What toolbars of FreeCAD's themes are painted with.
@@ -34,7 +34,7 @@ class Panels(support.Case):
         self.obj = self.illustrate(*self.box_and_ball())
 
     def shown(self, name):
-        self.select(self.obj)
+        self.select(self.obj, *([self.obj.Sources[0][0]] if name == "Burin_Note" else []))
         if name == "Burin_Edit":
             self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
         else:

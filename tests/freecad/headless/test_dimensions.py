@@ -159,7 +159,7 @@ class Dimensions(Case):
         obj.Looks = {"Plate": "not drawn"}
         one.Kind = "Diameter"
         self.doc.recompute()
-        self.assertIn("Distance: Plate is not drawn here; add it to Sources, or delete the dimension", make_job(obj).notes)
+        self.assertIn("Distance: Plate is not drawn here; add it to Sources, or choose other Features", make_job(obj).notes)
 
     def test_the_kernels_words_name_the_dimension(self):
         obj = self.sheet(Views=["front"])
@@ -253,7 +253,7 @@ class Dimensions(Case):
         other = self.box(name="Other")
         self.doc.recompute()
         for features_, words in (([(other, "Face1"), (other, "Face2")], "^Other is not drawn here"), ([(self.part, "Face1")], "^a flat face alone"),
-                                 ([(self.part, "Face99")], "^Plate.Face99 is gone"), ([(self.part, "")], "^Plate. is gone"),
+                                 ([(self.part, "Face99")], "^Plate.Face99 is gone"), ([(self.part, "")], "^Plate is gone"),
                                  ([(self.part, "Facet3")], "^Plate.Facet3 is gone"), ([(self.part, "?Face7")], "^Plate.Face7 is gone")):
             with self.assertRaisesRegex(Refused, words):
                 make_dimension(obj, features_)

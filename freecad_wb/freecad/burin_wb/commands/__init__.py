@@ -10,7 +10,7 @@ _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
 LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_SectionView", "Burin_Detail",
-          "Burin_CentreLines", "Burin_Dimension", None, "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", None, "Burin_RedrawAll", None,
+          "Burin_CentreLines", "Burin_Dimension", "Burin_Note", None, "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", None, "Burin_RedrawAll", None,
           "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None, "Burin_SelectSource", "Burin_ShowLines")
 
 
@@ -43,7 +43,7 @@ def context():
     if not chosen:
         return []
     if not any(illustrations_by(o) for o in chosen):
-        return ["Burin_NewIllustration", "Burin_Look", "Burin_SectionView", "Burin_Dimension"]
+        return ["Burin_NewIllustration", "Burin_Look", "Burin_SectionView", "Burin_Dimension", "Burin_Note"]
     return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_SectionView", "Burin_Detail", "Burin_CentreLines",
-            "Burin_Dimension", "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", "Burin_PlaceOnPage", "Burin_LinesForDimensions",
-            "Burin_Export", "Burin_ExportFile", "Burin_SelectSource", "Burin_ShowLines"]
+            "Burin_Dimension", "Burin_Note", "Burin_Explode", "Burin_NumberParts", "Burin_StepBook", "Burin_PlaceOnPage",
+            "Burin_LinesForDimensions", "Burin_Export", "Burin_ExportFile", "Burin_SelectSource", "Burin_ShowLines"]

@@ -1,14 +1,15 @@
-"""What drawings of parts are read by: dimensions of what is selected, centre lines."""
+"""What drawings of parts are read by: dimensions and notes of what is selected, centre lines."""
 
 import FreeCAD
 import FreeCADGui as Gui
 
 from ..errors import Refused
-from ..features import is_illustration, make_dimension
+from ..features import is_illustration, make_dimension, make_note
 from ..features.looks import path_of
 from ..features.properties import CENTRE_LINES
 from ..features.sources import from_the_top, survey
-from ..tasks.dimensions import selected_features
+from ..tasks import show
+from ..tasks.dimensions import DimensionsPanel, selected_features
 from ..text import tr
 from .base import Command, selected_illustrations, some_illustrations
 
@@ -25,13 +26,38 @@ class Dimension(Command):
         return bool(FreeCAD.ActiveDocument.Objects)
 
     def run(self, document):
-        if not any(is_illustration(obj) for obj in document.Objects):
-            raise Refused(tr("there is no illustration yet; make one with New illustration first"))
-        features = selected_features(document)
-        made = make_dimension(illustration_for(document, features), features)
+        illustration, features = selected(document)
+        made = make_dimension(illustration, features)
         document.recompute()
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(made)
+
+
+class Note(Command):
+    name = "Burin_Note"
+    text = "Note"
+    tip = "Writes words beside the drawing, with a leader to each of the selected faces, edges, vertices or objects"
+    icon = "burin_note.svg"
+    accel = "U, T"
+
+    def possible(self):
+        return bool(FreeCAD.ActiveDocument.Objects)
+
+    def run(self, document):
+        illustration, features = selected(document, wholes=True)
+        if not features:
+            raise Refused(tr("select what the note is about: faces, edges, vertices or objects"))
+        made = make_note(illustration, features)
+        document.recompute()
+        show(DimensionsPanel(illustration, made))
+
+
+def selected(document, wholes=False):
+    """The illustration that a dimension or a note is for, and the features that are selected for it. Throws Refused."""
+    if not any(is_illustration(obj) for obj in document.Objects):
+        raise Refused(tr("there is no illustration yet; make one with New illustration first"))
+    features = selected_features(document, wholes)
+    return illustration_for(document, features), features
 
 
 def illustration_for(document, features):
@@ -69,4 +95,4 @@ class CentreLines(Command):
         document.recompute()
 
 
-COMMANDS = [CentreLines(), Dimension()]
+COMMANDS = [CentreLines(), Dimension(), Note()]

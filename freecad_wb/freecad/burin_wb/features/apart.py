@@ -1,5 +1,5 @@
 """What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list; and of its sheet: several
-views, details, dimensions."""
+views, details, dimensions, notes."""
 
 from .. import item_numbers
 from . import details, explosion, section
@@ -7,7 +7,7 @@ from . import details, explosion, section
 
 def options_of(obj, sources, rows, notes):
     """Keywords of burin.draw; only those that are asked for, so that drawings without them stay what they are. `sources`:
-    paths of the parts; `rows`: what is measured (dimension.rows_of). Throws Refused."""
+    paths of the parts; `rows`: what is measured and noted (dimension.rows_of). Throws Refused."""
     said = {}
     sections = section.for_kernel(obj, sources, notes)
     if sections:
@@ -27,8 +27,7 @@ def options_of(obj, sources, rows, notes):
     said.update(details.sheet_of(obj, sources, notes))
     if obj.Projection == "Perspective" and "views" not in said and any(map(section.view_of, sections)):
         notes.append(details.PARALLEL)
-    if rows:
-        said["dimensions"] = [said for _, said in rows]
+    said.update({key: [row for _, row in of] for key, of in rows.items() if of})
     if "views" in said or any(map(section.view_of, sections)):
         options["perspective"] = None
     if said:

@@ -1,11 +1,12 @@
 """What the kernel finds out of an illustration beside drawing it: the steps of an exploded view, its items."""
 
 from ..errors import Failed, Refused
+from .dimension import refused_of
 from .explosion import taken
 from .illustration import ask_to_end, make_job
 
 # Keys about one sheet.
-SHEET = "views", "projection", "details", "dimensions"
+SHEET = "views", "projection", "details", "dimensions", "notes"
 
 
 def steps_job(obj):
@@ -32,6 +33,7 @@ def find_steps(obj):
 def items_job(obj):
     """What is to be asked for ("items"): items with the numbers that are kept, whether they are drawn or not. Throws Refused."""
     job = make_job(obj)
+    job = job.without(refused_of(obj, job))
     return job.with_numbers(dict(obj.ItemNumbers))
 
 

@@ -1,5 +1,5 @@
-"""Dimensions of an illustration: objects of the document that name the faces, edges and vertices that are measured, so that these links
-follow the model as all of FreeCAD's do."""
+"""Dimensions and notes of an illustration: objects of the document that name the faces, edges and vertices that are measured or pointed at,
+so that these links follow the model as all of FreeCAD's do."""
 
 import re
 
@@ -7,10 +7,11 @@ from .. import hooks
 from ..errors import Refused
 from ..proxy import Stateless
 from ..text import tr
-from .found import drawn, features_of, found_of, now, text_of
-from .kept import split
+from . import note
+from .found import drawn, features_of, for_kernel, found_of, now, point_for_kernel, text_of
 from .measured import ends_of, kind_of, may_have, measured
-from .properties import DIMENSION, ensure, is_newer
+from .note import NOTE
+from .properties import DIMENSION, NOT_OF_NOTES, OF_NOTES, ensure, is_newer, show_alone
 from .sources import from_the_top, survey
 
 OVERALL = "Overall"
@@ -22,25 +23,32 @@ _DEVIATIONS = re.compile(rf"\s*({_NUMBER})\s*[/;]\s*({_NUMBER})\s*$")
 
 
 class Dimension(Stateless):
-    """The Proxy of a dimension. Documents name it as freecad.burin_wb.features.Dimension."""
+    """The Proxy of a dimension or a note. Documents name it as freecad.burin_wb.features.Dimension."""
 
     def __init__(self, obj):
         obj.Proxy = self
-        ensure(obj, DIMENSION)
-        hooks.dress(obj)
+        self.onDocumentRestored(obj)
 
     def onDocumentRestored(self, obj):
         ensure(obj, DIMENSION)
+        self._show(obj)
         hooks.dress(obj)
+
+    @staticmethod
+    def _show(obj):
+        """The properties of its kind alone."""
+        show_alone(obj, *((OF_NOTES, NOT_OF_NOTES) if is_note(obj) else (NOT_OF_NOTES, OF_NOTES)))
 
     def onChanged(self, obj, name):
         """Features that are chosen again for lost ones are others, even where they have the same names."""
+        if name == "Kind" and "Restore" not in obj.State:
+            self._show(obj)
         if name == "Features" and getattr(obj, "Message", "") and getattr(obj, "Kept", ()) and not obj.Document.Transacting \
                 and "Restore" not in obj.State:
             obj.Kept = []
 
     def execute(self, obj):
-        """Follows what it measures, and says what is wrong with it; never fails, for FreeCAD would not draw the illustration then."""
+        """Follows what it names, and says what is wrong with it; never fails, for FreeCAD would not draw the illustration then."""
         if is_newer(obj):
             return
         text, found = _problem(obj)
@@ -53,7 +61,12 @@ def is_dimension(obj):
     return isinstance(getattr(obj, "Proxy", None), Dimension)
 
 
+def is_note(dimension):
+    return getattr(dimension, "Kind", "") == NOTE
+
+
 def dimensions_of(illustration):
+    """Notes are among them."""
     return [one for one in getattr(illustration, "Dimensions", ()) if is_dimension(one)]
 
 
@@ -75,11 +88,27 @@ def own_dimensions(illustration):
 
 
 def _copy(one):
-    obj = one.Document.addObject("App::FeaturePython", "Dimension")
-    Dimension(obj)
+    obj = _new(one.Document, one.Kind)
     for name in ("Label", *(row.name for row in DIMENSION)):
         setattr(obj, name, getattr(one, name))
     return obj
+
+
+def _new(document, kind):
+    obj = document.addObject("App::FeaturePython", "Note" if kind == NOTE else "Dimension")
+    Dimension(obj)
+    obj.Kind = kind
+    return obj
+
+
+def make_note(illustration, features=(), **properties):
+    """A new note of an illustration, with a leader to each of `features`, (object, sub-name) each, "" for the object as a whole. Text,
+    Frame, Symbol ... are `properties`. No transaction, no recompute. Throws Refused."""
+    found = [now(*from_the_top(obj, sub), wholes=True) for obj, sub in features]
+    parts = [piece.part for piece in survey(illustration.Sources)[0]]
+    for one in found:
+        note.target(one, parts)  # which is drawn
+    return _made(illustration, NOTE, found, properties)
 
 
 def make_dimension(illustration, features=(), kind="", **properties):
@@ -96,9 +125,12 @@ def make_dimension(illustration, features=(), kind="", **properties):
     for one in dimensions_of(illustration):
         if features and _is_like(one, kind or has, elements, properties, sources):
             raise Refused(tr("{0} measures this already; select other faces or edges").format(one.Label))
-    obj = illustration.Document.addObject("App::FeaturePython", "Dimension")
-    Dimension(obj)
-    obj.Kind, obj.Label = kind or has, kinds()[kind or has]
+    return _made(illustration, kind or has, found, properties)
+
+
+def _made(illustration, kind, found, properties):
+    obj = _new(illustration.Document, kind)
+    obj.Label = kinds()[kind]
     _follow(obj, found)
     for name, value in properties.items():
         setattr(obj, name, value)
@@ -109,7 +141,7 @@ def make_dimension(illustration, features=(), kind="", **properties):
 def kinds():
     """The words of Kind in the user's language."""
     return {OVERALL: tr("Overall dimensions"), "Distance": tr("Distance"), "Diameter": tr("Diameter"), "Radius": tr("Radius"),
-            "Angle": tr("Angle"), "Depth": tr("Depth"), "Thread": tr("Thread")}
+            "Angle": tr("Angle"), "Depth": tr("Depth"), "Thread": tr("Thread"), NOTE: tr("Note")}
 
 
 def _elements(found, sources):
@@ -138,13 +170,12 @@ def _follow(one, found):
 
 
 def rows_of(obj, parts, notes):
-    """The dimensions of an illustration, and these as the kernel takes them, by pairs; and why others are left out, by their names,
-    which is told. `parts`: PartJobs."""
-    sources = [part.source if part.drawn else "" for part in parts]
-    rows, left = [], {}
+    """By their keys in illustrations: the dimensions and the notes of one, and these as the kernel takes them, by pairs; and why others are
+    left out, by their names, which is told. `parts`: PartJobs."""
+    rows, left = {"dimensions": [], "notes": []}, {}
     for one in dimensions_of(obj):
         try:
-            rows.append((one, _said(one, sources)))
+            rows["notes" if is_note(one) else "dimensions"].append((one, _said(one, parts)))
         except Refused as why:
             notes.append(f"{one.Label}: {why}")
             left[one.Name] = str(why)
@@ -169,27 +200,33 @@ def mark_left_out(obj, left):
             one.purgeTouched()
 
 
-def _said(one, sources):
+def _said(one, parts):
     """Throws Refused."""
     text, found = _problem(one)
     if text:
         raise Refused(text)
     if one.Kind == OVERALL:
         return one.Kind.lower()
+    row = note.said(one, found, parts) if is_note(one) else _measured(one, found, [part.source if part.drawn else "" for part in parts])
+    if one.Decimals >= 0:
+        row["decimals"] = min(one.Decimals, MOST_DECIMALS)
+    if one.View.strip():
+        row["view"] = one.View.strip()
+    return row
+
+
+def _measured(one, found, sources):
     of = [drawn(each, sources) for each in found]
     if one.Kind == "Distance" and len(of) == 1:
-        of = [_point(end) for end in ends_of(of[0][2])]
+        of = [point_for_kernel(end) for end in ends_of(of[0][2])]
     else:
-        of = [_feature(*each) for each in of]
+        of = [for_kernel(*each) for each in of]
     row = {one.Kind.lower(): of if one.Kind in PAIRS else of[0]}
     if one.Kind == "Distance" and one.Along.Length > 0:
         row["along"] = list(one.Along)
     if one.Kind == "Angle" and one.Supplement:
         row["supplement"] = True
-    if one.Decimals >= 0:
-        row["decimals"] = min(one.Decimals, MOST_DECIMALS)
-    row.update({key: value for key, value in (("text", one.Text.strip()), ("tolerance", tolerance_of(one.Tolerance)), ("view", one.View.strip()))
-                if value})
+    row.update({key: value for key, value in (("text", one.Text.strip()), ("tolerance", tolerance_of(one.Tolerance))) if value})
     return row
 
 
@@ -209,24 +246,16 @@ def tolerance_text(tolerance):
     return tolerance if isinstance(tolerance, str) else f"{tolerance:g}"
 
 
-def _feature(part, name, shape):
-    """As the kernel takes it."""
-    kind, number = split(name)
-    return _point(shape.Point) if kind == "Vertex" else {"part": f"@index={part}", kind.lower(): number - 1}
-
-
-def _point(at):
-    return {"point": [round(a, 9) + 0.0 for a in at]}
-
-
 def _problem(one):
-    """Why nothing can be measured, empty where it can be; and its elements."""
+    """Why it cannot be drawn, empty where it can be; and its elements."""
     if one.Kind == OVERALL:
         return "", []
     try:
-        found = found_of(one)
+        found = found_of(one, wholes=is_note(one))
     except Refused as why:
         return str(why), []
+    if is_note(one):
+        return note.problem(one, found), found
     return _problem_of_shapes(one, [each.shape for each in found]), found
 
 

@@ -193,7 +193,7 @@ def make_job(obj):
         **options_of(obj, [part.source for part in parts], rows, notes),
     }
     return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}), 
-               measured={one.Name: one.Label for one, said in rows if not isinstance(said, str)}, left=left)
+               measured={one.Name: (key, one.Label) for key, of in rows.items() for one, said in of if not isinstance(said, str)}, left=left)
 
 
 def keep_numbers(obj, job, result):

@@ -53,7 +53,7 @@ ILLUSTRATION = (
     Row("ExplodeFactor", "App::PropertyFloat", "Explosion", 1.0, "How far parts have come on their ways: 0 together, 1 apart"),
     Row("Details", "App::PropertyStringList", "Details", [],
         "Places that are drawn again, larger: {\"select\": [object names]} or {\"at\": [x, y, z], \"radius\": mm}, with \"scale\", \"letter\""),
-    Row("Dimensions", "App::PropertyLinkListGlobal", "Dimensions", [], "Objects that say what is measured, in the order of the tree"),
+    Row("Dimensions", "App::PropertyLinkListGlobal", "Dimensions", [], "Objects that say what is measured or noted, in the order of the tree"),
     Row("Callouts", "App::PropertyBool", "Items", False, "A number with a leader at each item"),
     Row("PartsList", "App::PropertyBool", "Items", False, "A list of the items above the lower right corner"),
     Row("Legend", "App::PropertyBool", "Items", False, "The colours of parts with their names; in which corner: the style key callout.legend"),
@@ -84,13 +84,20 @@ FLAT_EDGES = (
 )
 
 DIMENSION = (
-    Row("Kind", "App::PropertyEnumeration", "Dimension", ["Overall", "Distance", "Diameter", "Radius", "Angle", "Depth", "Thread"],
-        "What is measured; Overall: width, depth and height of all that is drawn"),
-    Row("Features", "App::PropertyLinkSubListGlobal", "Dimension", None, "The faces, edges or vertices that are measured: one, or two for Distance and Angle"),
+    Row("Kind", "App::PropertyEnumeration", "Dimension", ["Overall", "Distance", "Diameter", "Radius", "Angle", "Depth", "Thread", "Note"],
+        "What is measured; Overall: width, depth and height of all that is drawn; Note: nothing, Text is written"),
+    Row("Features", "App::PropertyLinkSubListGlobal", "Dimension", None,
+        "The faces, edges or vertices that are measured: one, or two for Distance and Angle; of a note any number, and whole objects"),
     Row("Along", "App::PropertyVector", "Dimension", (0, 0, 0), "Distance: measured in this direction; 0, 0, 0: the shortest way"),
     Row("Supplement", "App::PropertyBool", "Dimension", False, "Angle: the one beside that between the features"),
-    Row("Text", "App::PropertyString", "Text", "", "What is written instead of the number with its sign, such as 4x ⌀{value}"),
+    Row("Text", "App::PropertyString", "Text", "",
+        "What is written instead of the number with its sign, such as 4x ⌀{value}; of a note its words, \\n begins a line, {part.name}, {volume} are values"),
     Row("Tolerance", "App::PropertyString", "Text", "", "Behind the number: H7, 0.1 (±0.1), or the upper and the lower deviation, +0.1/-0.2"),
+    Row("Frame", "App::PropertyBool", "Text", False, "Note: a frame around the words"),
+    Row("Symbol", "App::PropertyString", "Text", "", "Note: the symbol around the words, such as surface, weld, balloon or warning; empty: none"),
+    Row("SymbolKeys", "App::PropertyMap", "Text", {}, "Note: options of the symbol, such as warning_of = hot"),
+    Row("Mark", "App::PropertyEnumeration", "Text", ["Auto", "Dot", "Arrow", "None"], "Note: the end of its leaders"),
+    Row("Place", "App::PropertyVector", "Text", (0, 0, 0), "Note: its lower left corner, x and y in mm of the sheet; 0, 0: beside the drawing, where there is room"),
     Row("Decimals", "App::PropertyInteger", "Text", -1, "Places after the point, 0 to 6; -1: those of the style"),
     Row("View", "App::PropertyString", "Text", "", "The view of the sheet that has it, such as top or A-A; empty: the first that shows it best"),
     Row("Kept", "App::PropertyStringList", "Result", [], "What its features look like, an entry each: they are found again by that"),
@@ -98,6 +105,9 @@ DIMENSION = (
     Row("Message", "App::PropertyString", "Result", "", "Why it is not drawn"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
+# What notes alone have, and what they have not.
+OF_NOTES = ("Frame", "Symbol", "SymbolKeys", "Mark", "Place")
+NOT_OF_NOTES = ("Along", "Supplement", "Tolerance")
 
 
 def default_of(name):
@@ -116,13 +126,14 @@ def is_newer(obj):
 
 
 def ensure(obj, rows):
-    """Adds what is missing, so that objects of older schemas get new properties with their defaults. Leaves objects
-    of newer schemas alone."""
+    """Adds what is missing, so that objects of older schemas get new properties with their defaults, and new words of enumerations.
+    Leaves objects of newer schemas alone."""
     if is_newer(obj):
         return
     have = set(obj.PropertiesList)
     for row in rows:
         if row.name in have:
+            _renew_words(obj, row)
             continue
         obj.addProperty(row.kind, row.name, row.group, row.text)
         if row.value not in (None, ""):
@@ -132,3 +143,19 @@ def ensure(obj, rows):
             obj.setEditorMode(row.name, 3 if row.name in HIDDEN else 1)
     if obj.Schema != SCHEMA:
         obj.Schema = SCHEMA
+
+
+def _renew_words(obj, row):
+    """Documents keep the words that an enumeration had when its object was made."""
+    if row.kind != "App::PropertyEnumeration" or obj.getEnumerationsOfProperty(row.name) == row.value:
+        return
+    chosen = getattr(obj, row.name)
+    setattr(obj, row.name, row.value)
+    setattr(obj, row.name, chosen if chosen in row.value else row.value[0])
+
+
+def show_alone(obj, shown, hidden):
+    """Shows some properties and hides others, by their names."""
+    for names, mode in ((shown, 0), (hidden, 2)):
+        for name in set(names).intersection(obj.PropertiesList):
+            obj.setEditorMode(name, mode)

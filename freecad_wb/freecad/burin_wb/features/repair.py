@@ -23,7 +23,7 @@ def _kind(obj):
 
 
 def repair(document):
-    """Gives illustrations, their dimensions, their views on pages and their flat lines the behaviour back that they lost where they were
+    """Gives illustrations, their dimensions and notes, their views on pages and their flat lines the behaviour back that they lost where they were
     saved without the add-on. Returns the objects, illustrations first."""
     lost = [(kind, o) for kind, _, _ in _KINDS for o in document.Objects if _kind(o) is kind]
     for kind, obj in lost:

@@ -5,7 +5,7 @@ from .illustration import is_illustration
 
 
 def illustrations_by(obj):
-    """Itself, or that of a view on a page, of lines, of a parts list, of a dimension; nothing for all other objects."""
+    """Itself, or that of a view on a page, of lines, of a parts list, of a dimension or a note; nothing for all other objects."""
     if is_illustration(obj):
         return [obj]
     if is_dimension(obj):

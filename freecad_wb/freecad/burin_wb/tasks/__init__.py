@@ -28,7 +28,7 @@ def show(panel):
 
 
 def edit(obj):
-    """The panel of an illustration, or that of its dimensions for one of these, as an undoable change of its own."""
+    """The panel of an illustration, or that of its dimensions and notes for one of these, as an undoable change of its own."""
     if Gui.Control.activeDialog() is not False:
         tell(tr("another panel is open; close it first"))
         return None

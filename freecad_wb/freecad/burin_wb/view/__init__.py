@@ -7,7 +7,7 @@ from .scheduler import install
 
 
 def dress(obj):
-    """Gives an illustration, or a dimension of one, its view provider, also where a script made it or the document lost it, and takes
+    """Gives an illustration, or a dimension or note of one, its view provider, also where a script made it or the document lost it, and takes
     the runs of illustrations out of the GUI's way."""
     install()
     kind, view = DimensionView if is_dimension(obj) else IllustrationView, obj.ViewObject

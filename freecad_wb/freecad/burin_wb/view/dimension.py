@@ -1,4 +1,4 @@
-"""The view provider of dimensions. Documents name it as freecad.burin_wb.view.dimension.DimensionView."""
+"""The view provider of dimensions and notes. Documents name it as freecad.burin_wb.view.dimension.DimensionView."""
 
 import os
 
@@ -6,15 +6,15 @@ import FreeCADGui as Gui
 from pivy import coin
 
 from .. import hooks
-from ..features.dimension import features_of
+from ..features.dimension import features_of, is_note
 from ..proxy import Stateless
 
 _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
-_ICON, _STALE = os.path.join(_ICONS, "burin_dimension.svg"), os.path.join(_ICONS, "burin_stale.svg")
+_ICON, _NOTE, _STALE = (os.path.join(_ICONS, f"burin_{name}.svg") for name in ("dimension", "note", "stale"))
 
 
 def light_features(dimensions):
-    """Selects what dimensions measure."""
+    """Selects what dimensions measure, and notes point at."""
     Gui.Selection.clearSelection()
     for top, sub in (feature for one in dimensions for feature in features_of(one)):
         Gui.Selection.addSelection(top.Document.Name, top.Name, sub)
@@ -39,10 +39,12 @@ class DimensionView(Stateless):
 
     def getIcon(self):
         """Another one where it cannot be drawn."""
-        return _STALE if getattr(self.Object, "Message", "") else _ICON
+        if getattr(self.Object, "Message", ""):
+            return _STALE
+        return _NOTE if is_note(self.Object) else _ICON
 
     def updateData(self, obj, name):
-        if name == "Message" and hasattr(self, "View"):
+        if name in ("Message", "Kind") and hasattr(self, "View"):
             self.View.signalChangeIcon()
 
     def doubleClicked(self, view):

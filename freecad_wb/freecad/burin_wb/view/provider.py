@@ -191,7 +191,7 @@ class IllustrationView(Stateless):
         return is_dimension(obj)
 
     def onDelete(self, view, names):
-        """Its dimensions go with it, in the same undo."""
+        """Its dimensions and notes go with it, in the same undo."""
         for one in dimensions_of(view.Object):
             if illustrations_of(one) == [view.Object]:
                 view.Object.Document.removeObject(one.Name)

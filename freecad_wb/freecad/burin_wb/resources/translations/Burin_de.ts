@@ -20,6 +20,10 @@
       <translation>Ein eingebauter Stil oder eine Stildatei</translation>
     </message>
     <message>
+      <source>A frame around the words</source>
+      <translation>Ein Rahmen um die Wörter</translation>
+    </message>
+    <message>
       <source>A letter of its own; empty: the next one</source>
       <translation>Ein eigener Buchstabe; leer: der nächste</translation>
     </message>
@@ -44,6 +48,10 @@
       <translation>Hinzufügen</translation>
     </message>
     <message>
+      <source>Add note</source>
+      <translation>Hinweis hinzufügen</translation>
+    </message>
+    <message>
       <source>Add strokes…</source>
       <translation>Striche hinzufügen …</translation>
     </message>
@@ -62,6 +70,10 @@
     <message>
       <source>Another dimension: of the faces, edges or vertices that are selected; without any: width, depth and height</source>
       <translation>Ein weiteres Maß: der ausgewählten Flächen, Kanten oder Eckpunkte; ohne solche: Breite, Tiefe und Höhe</translation>
+    </message>
+    <message>
+      <source>Another note: with a leader to each of the faces, edges, vertices or objects that are selected</source>
+      <translation>Ein weiterer Hinweis: mit einer Hinweislinie zu jeder ausgewählten Fläche, Kante, Ecke und jedem Objekt</translation>
     </message>
     <message>
       <source>Another number; an item that has it gets this one</source>
@@ -144,8 +156,8 @@
       <translation>Löscht die oben ausgewählten Einzelheiten</translation>
     </message>
     <message>
-      <source>Deletes the dimensions that are selected above</source>
-      <translation>Löscht die Maße, die oben ausgewählt sind</translation>
+      <source>Deletes the rows that are selected above</source>
+      <translation>Löscht die Zeilen, die oben ausgewählt sind</translation>
     </message>
     <message>
       <source>Deletes the steps that are selected</source>
@@ -164,8 +176,8 @@
       <translation>Durchmesser</translation>
     </message>
     <message>
-      <source>Dimensions</source>
-      <translation>Maße</translation>
+      <source>Dimensions and notes</source>
+      <translation>Maße und Hinweise</translation>
     </message>
     <message>
       <source>Dimetric</source>
@@ -246,6 +258,10 @@
     <message>
       <source>Follow the 3-D view</source>
       <translation>Der 3-D-Ansicht folgen</translation>
+    </message>
+    <message>
+      <source>Frame</source>
+      <translation>Rahmen</translation>
     </message>
     <message>
       <source>From face</source>
@@ -378,6 +394,10 @@
     <message>
       <source>Not hatched: lines alone</source>
       <translation>Nicht schraffiert: nur Linien</translation>
+    </message>
+    <message>
+      <source>Note</source>
+      <translation>Hinweis</translation>
     </message>
     <message>
       <source>Number parts</source>
@@ -532,8 +552,8 @@
       <translation>Startzahl für alles Zufällige: eine andere gibt andere Striche</translation>
     </message>
     <message>
-      <source>Selected dimension</source>
-      <translation>Gewähltes Maß</translation>
+      <source>Selected row</source>
+      <translation>Gewählte Zeile</translation>
     </message>
     <message>
       <source>Several views on the sheet at one scale, front, top ... about the front view, others in the corner; none: the view above</source>
@@ -586,6 +606,10 @@
     <message>
       <source>Style of the object that is chosen above</source>
       <translation>Stil des oben gewählten Objekts</translation>
+    </message>
+    <message>
+      <source>Symbol</source>
+      <translation>Symbol</translation>
     </message>
     <message>
       <source>Take back</source>
@@ -644,8 +668,16 @@
       <translation>Die Ebenen, die schneiden, eine nach der anderen</translation>
     </message>
     <message>
+      <source>The symbol around the words</source>
+      <translation>Das Symbol um die Wörter</translation>
+    </message>
+    <message>
       <source>The view of the sheet that has it, such as top or A-A; empty: the first that shows it best</source>
       <translation>Die Ansicht des Blatts, in der es steht, etwa top oder A-A; leer: die erste, die es am besten zeigt</translation>
+    </message>
+    <message>
+      <source>The words of the note; {part.name}, {item}, {length}, {area}, {diameter}, {radius}, {volume} are values of what it points at</source>
+      <translation>Die Wörter des Hinweises; {part.name}, {item}, {length}, {area}, {diameter}, {radius}, {volume} sind Werte dessen, worauf er zeigt</translation>
     </message>
     <message>
       <source>Third angle</source>
@@ -680,6 +712,10 @@
       <translation>Wert</translation>
     </message>
     <message>
+      <source>Variant</source>
+      <translation>Variante</translation>
+    </message>
+    <message>
       <source>Vertical field of view, {0:g} to {1:g} degrees</source>
       <translation>Senkrechter Bildwinkel, {0:g} bis {1:g} Grad</translation>
     </message>
@@ -704,12 +740,12 @@
       <translation>Was noch einmal gezeichnet wird; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
     </message>
     <message>
-      <source>What is measured</source>
-      <translation>Was gemessen wird</translation>
+      <source>What is measured or noted; a row lights it up in the 3-D view</source>
+      <translation>Was gemessen wird oder worauf ein Hinweis zeigt; eine Zeile hebt es in der 3D-Ansicht hervor</translation>
     </message>
     <message>
-      <source>What is measured; a row lights it up in the 3-D view</source>
-      <translation>Was gemessen wird; eine Zeile hebt es in der 3D-Ansicht hervor</translation>
+      <source>What is measured, or a note</source>
+      <translation>Was gemessen wird, oder ein Hinweis</translation>
     </message>
     <message>
       <source>What moves together; a row lights up its objects in the 3-D view</source>
@@ -722,6 +758,10 @@
     <message>
       <source>Whether a line shows the way</source>
       <translation>Ob eine Linie den Weg zeigt</translation>
+    </message>
+    <message>
+      <source>Which of these symbols</source>
+      <translation>Welches dieser Symbole</translation>
     </message>
     <message>
       <source>Width</source>
@@ -804,12 +844,24 @@
       <translation>ein anderes Fenster ist offen; schließen Sie es zuerst</translation>
     </message>
     <message>
+      <source>any</source>
+      <translation>beliebig</translation>
+    </message>
+    <message>
       <source>as it is</source>
       <translation>wie sie ist</translation>
     </message>
     <message>
       <source>as the others</source>
       <translation>wie die anderen</translation>
+    </message>
+    <message>
+      <source>balloon</source>
+      <translation>Kreis</translation>
+    </message>
+    <message>
+      <source>bevel</source>
+      <translation>HV-Naht</translation>
     </message>
     <message>
       <source>black lines over three tints of one spot ink, for two printing plates</source>
@@ -876,6 +928,10 @@
       <translation>gezeichnet</translation>
     </message>
     <message>
+      <source>electricity</source>
+      <translation>Elektrizität</translation>
+    </message>
+    <message>
       <source>feature</source>
       <translation>Merkmale</translation>
     </message>
@@ -900,6 +956,10 @@
       <translation>Füllung</translation>
     </message>
     <message>
+      <source>fillet</source>
+      <translation>Kehlnaht</translation>
+    </message>
+    <message>
       <source>full tone by dots, small where it is light, dense where it is dark</source>
       <translation>voller Ton aus Punkten, klein im Licht, dicht im Schatten</translation>
     </message>
@@ -910,6 +970,10 @@
     <message>
       <source>full tone: swelling strokes along the form, crossed where it is dark</source>
       <translation>voller Ton: schwellende Striche entlang der Form, gekreuzt, wo es dunkel ist</translation>
+    </message>
+    <message>
+      <source>general</source>
+      <translation>allgemein</translation>
     </message>
     <message>
       <source>glass</source>
@@ -928,6 +992,14 @@
       <translation>help_de</translation>
     </message>
     <message>
+      <source>hot</source>
+      <translation>heiß</translation>
+    </message>
+    <message>
+      <source>it has no words; write some in Text, or choose a Symbol</source>
+      <translation>ohne Wörter; schreiben Sie welche in Text oder wählen Sie ein Symbol</translation>
+    </message>
+    <message>
       <source>it is neither flat nor straight nor round, so nothing of it can be measured</source>
       <translation>es ist weder eben noch gerade noch rund; daran lässt sich nichts messen</translation>
     </message>
@@ -938,6 +1010,10 @@
     <message>
       <source>its features have Kind {0}, not {1}; change Kind, or choose its Features again</source>
       <translation>was es misst, hat Kind {0}, nicht {1}; ändern Sie Kind oder wählen Sie Features neu</translation>
+    </message>
+    <message>
+      <source>kept</source>
+      <translation>bleibt</translation>
     </message>
     <message>
       <source>landscape</source>
@@ -960,8 +1036,20 @@
       <translation>Linien in zwei Breiten, sparsam schattiert, die Kopieren und Verkleinern vertragen</translation>
     </message>
     <message>
+      <source>mandatory</source>
+      <translation>Gebot</translation>
+    </message>
+    <message>
+      <source>manual</source>
+      <translation>Anleitung lesen</translation>
+    </message>
+    <message>
       <source>mm</source>
       <translation>mm</translation>
+    </message>
+    <message>
+      <source>no symbol</source>
+      <translation>kein Symbol</translation>
     </message>
     <message>
       <source>none</source>
@@ -1012,6 +1100,10 @@
       <translation>schlicht</translation>
     </message>
     <message>
+      <source>plug</source>
+      <translation>Lochnaht</translation>
+    </message>
+    <message>
       <source>pmi</source>
       <translation>Fertigungsangaben</translation>
     </message>
@@ -1020,8 +1112,16 @@
       <translation>hoch</translation>
     </message>
     <message>
+      <source>prohibition</source>
+      <translation>Verbot</translation>
+    </message>
+    <message>
       <source>read</source>
       <translation>Lesen</translation>
+    </message>
+    <message>
+      <source>removed</source>
+      <translation>abgetragen</translation>
     </message>
     <message>
       <source>select a face too</source>
@@ -1068,6 +1168,10 @@
       <translation>zwei oder mehr Zeilen auswählen</translation>
     </message>
     <message>
+      <source>select what the note is about: faces, edges, vertices or objects</source>
+      <translation>wählen Sie aus, worum es im Hinweis geht: Flächen, Kanten, Eckpunkte oder Objekte</translation>
+    </message>
+    <message>
       <source>shadow</source>
       <translation>Schatten</translation>
     </message>
@@ -1080,12 +1184,24 @@
       <translation>zeigen Sie zuerst eine 3D-Ansicht des Modells</translation>
     </message>
     <message>
+      <source>spot</source>
+      <translation>Punktnaht</translation>
+    </message>
+    <message>
+      <source>square</source>
+      <translation>I-Naht</translation>
+    </message>
+    <message>
       <source>stopping</source>
       <translation>wird angehalten</translation>
     </message>
     <message>
       <source>strokes</source>
       <translation>Striche</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translation>Oberfläche</translation>
     </message>
     <message>
       <source>the drawing has no numbers yet</source>
@@ -1120,12 +1236,24 @@
       <translation>Striche</translation>
     </message>
     <message>
+      <source>v</source>
+      <translation>V-Naht</translation>
+    </message>
+    <message>
       <source>verify</source>
       <translation>Prüfung</translation>
     </message>
     <message>
       <source>visibility</source>
       <translation>Sichtbarkeit</translation>
+    </message>
+    <message>
+      <source>warning</source>
+      <translation>Warnung</translation>
+    </message>
+    <message>
+      <source>weld</source>
+      <translation>Schweißnaht</translation>
     </message>
     <message>
       <source>white lines on blue, light hatching where the part lies in shade</source>
@@ -1188,8 +1316,8 @@
       <translation>{0} ist nicht mehr im Dokument</translation>
     </message>
     <message>
-      <source>{0} is not drawn here; add it to Sources, or delete the dimension</source>
-      <translation>{0} wird hier nicht gezeichnet; nehmen Sie es in Sources auf oder löschen Sie das Maß</translation>
+      <source>{0} is not drawn here; add it to Sources, or choose other Features</source>
+      <translation>{0} wird hier nicht gezeichnet; nehmen Sie es in Sources auf oder wählen Sie andere Features</translation>
     </message>
     <message>
       <source>{0} is not drawn yet; recompute it</source>
@@ -1454,6 +1582,17 @@
     <message>
       <source>New illustration</source>
       <translation>Neue Illustration</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_Note</name>
+    <message>
+      <source>Note</source>
+      <translation>Hinweis</translation>
+    </message>
+    <message>
+      <source>Writes words beside the drawing, with a leader to each of the selected faces, edges, vertices or objects</source>
+      <translation>Schreibt Wörter neben die Zeichnung, mit einer Hinweislinie zu jeder ausgewählten Fläche, Kante, Ecke und jedem ausgewählten Objekt</translation>
     </message>
   </context>
   <context>
