@@ -330,7 +330,7 @@ TEST_F(CliErrors, NothingIsSuggestedWhereNothingIsNear) {
   const std::string commands = "; the commands are draw, watch, illustrate, ";
   expect_failure("frobnicate @/box.off", 2, "unknown command 'frobnicate'" + commands);
   // "node" is another name of an option of draw.
-  expect_failure("--xyzzy", 2, "unknown option --xyzzy" + commands);
+  expect_failure("--nodde", 2, "unknown option --nodde" + commands);
   EXPECT_EQ(err_.find("--object"), std::string::npos) << err_;
   expect_failure("help nonsense", 2, "unknown command 'nonsense'" + commands);
   expect_failure("bom @/box.off", 2, "burin draw INPUT... -o OUT --parts-list FILE.csv");

@@ -117,7 +117,9 @@ KeyRow<DimensionRow> symbol_row() {
       .read =
           [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
             to.symbol = in.text(value, path);
-            if (!find_symbol(to.symbol)) in.unknown(path, to.symbol, symbol_names());
+            if (find_symbol(to.symbol)) return;
+            in.fail(path, fmt::format("\"symbol\" takes {}, not {}",
+                                      fmt::join(symbol_names(), ", "), to.symbol));
           },
       .write =
           [](const DimensionRow& from) {

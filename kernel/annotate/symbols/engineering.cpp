@@ -36,7 +36,8 @@ Label draw_surface(const SymbolRequest& request) {
   const Vec2 foot(slope * low + 0.3 * h, 0);
   const Vec2 left = foot + low * Vec2(-slope, 1), bend = foot + low * Vec2(slope, 1);
   const Vec2 top = foot + high * Vec2(slope, 1);
-  const double words = request.text.empty() ? 0 : text_width(request.text, h) + 0.6 * h;
+  const std::string text = in_one_line(request.text);
+  const double words = text.empty() ? 0 : text_width(text, h) + 0.6 * h;
   Label out;
   out.size = {top.x + words + 0.3 * h, high};
   out.underlined = true;
@@ -49,8 +50,7 @@ Label draw_surface(const SymbolRequest& request) {
   }
   if (words > 0) {
     out.paths.push_back(label_line({top, top + Vec2(words, 0)}, line));
-    out.texts.push_back(
-        {top + Vec2(0.3 * h, -1.4 * h), h, TextAnchor::Start, request.text, "note", 0});
+    out.texts.push_back({top + Vec2(0.3 * h, -1.4 * h), h, TextAnchor::Start, text, "note", 0});
   }
   return out;
 }
@@ -102,16 +102,17 @@ double add_joint(WeldSymbol::Joint joint, double left, const LabelPens& pens, La
 /// The size before the sign, and its length behind: "a5|3x50".
 Label draw_weld(const SymbolRequest& request) {
   const double h = request.pens.height, gap = 0.5 * h, base = 0.25 * h;
-  const std::size_t bar = request.text.find('|');
-  const std::string before = request.text.substr(0, bar);
-  const std::string behind = bar == std::string::npos ? "" : request.text.substr(bar + 1);
+  const std::string text = in_one_line(request.text);
+  const std::size_t bar = text.find('|');
+  const std::string before = text.substr(0, bar);
+  const std::string behind = bar == std::string::npos ? "" : text.substr(bar + 1);
   Label out;
   out.underlined = true;
   double x = 2 * h;
-  const auto write = [&](const std::string& text) {
-    if (text.empty()) return;
-    out.texts.push_back({{x, base}, h, TextAnchor::Start, text, "note", 0});
-    x += text_width(text, h) + gap;
+  const auto write = [&](const std::string& words) {
+    if (words.empty()) return;
+    out.texts.push_back({{x, base}, h, TextAnchor::Start, words, "note", 0});
+    x += text_width(words, h) + gap;
   };
   write(before);
   x += add_joint(values_in<WeldSymbol>(request.values).joint, x, request.pens, out) + gap;
@@ -122,12 +123,13 @@ Label draw_weld(const SymbolRequest& request) {
 
 Label draw_balloon(const SymbolRequest& request) {
   const double h = request.pens.height;
-  const double radius = std::max(1.4 * h, 0.5 * text_width(request.text, h) + 0.6 * h);
+  const std::string text = in_one_line(request.text);
+  const double radius = std::max(1.4 * h, 0.5 * text_width(text, h) + 0.6 * h);
   Label out;
   out.size = Vec2(2 * radius);
   out.shoulder = radius;
   out.paths.push_back(circle(Vec2(radius), radius, request.pens.line));
-  out.texts.push_back({{radius, radius - 0.5 * h}, h, TextAnchor::Middle, request.text, "note", 0});
+  out.texts.push_back({{radius, radius - 0.5 * h}, h, TextAnchor::Middle, text, "note", 0});
   return out;
 }
 

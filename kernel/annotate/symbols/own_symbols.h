@@ -3,6 +3,10 @@
 
 #include <burin/annotate/symbols.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace burin::detail {
 
 /// Of surface texture, after ISO 1302.
@@ -16,6 +20,8 @@ SymbolKind warning_symbol();
 SymbolKind mandatory_symbol();
 SymbolKind prohibition_symbol();
 
+/// The lines of a text as one, with a blank between two.
+std::string in_one_line(std::string text);
 /// An open or closed line of a label.
 Path label_line(std::vector<Vec2> points, double width, bool closed = false);
 /// Puts words to the right of what stands in a label, both in the middle of its height.

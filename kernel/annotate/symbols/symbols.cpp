@@ -28,6 +28,11 @@ const SymbolKind* find_symbol(std::string_view name) {
 
 void add(SymbolKind kind) { all_symbols().add(std::move(kind)); }
 
+std::string detail::in_one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
 Path detail::label_line(std::vector<Vec2> points, double width, bool closed) {
   Path path;
   path.kind = LineClass::Frame;

@@ -261,7 +261,7 @@ class Told(Notes):
         top, whole = self.add(obj, facing(self.part, TOP), Text="top"), self.add(obj, "", Text="all")
         self.assertEqual((obj.Message, self.texts(obj)), ("", ["all", "top"]))
         for change, why in (({"Text": "{mass}"}, r'"text" has \{mass\}: only \{part.name\}, .* are known'), ({"Text": "{radius}"}, r"what it points at has no \{radius\}"),
-                            ({"Symbol": "circle"}, "unknown key 'circle'; known here are surface, "), ({"View": "left"}, "no view is called 'left': there is front, top")):
+                            ({"Symbol": "circle"}, "\"symbol\" takes surface, "), ({"View": "left"}, "no view is called 'left': there is front, top")):
             before = {name: getattr(whole, name) for name in change}
             for name, value in change.items():
                 setattr(whole, name, value)
