@@ -138,6 +138,13 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
                                 : extended(arguments, folder, context, console);
   output.write([&](std::ostream& out) { out << text; });
   output.commit();
+  if (arguments.request.has("highlight")) {
+    Diagnostics notes;
+    notes.add(Severity::Warning, "option.unused", 1,
+              "`highlight` is no key of illustration files: give it to burin draw with this file, "
+              "or write a look with \"fill.color\"");
+    console.diagnostics(with_spelling(notes, Spelling::Options));
+  }
 }
 
 }  // namespace burin::cli

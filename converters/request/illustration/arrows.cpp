@@ -124,6 +124,7 @@ ArrowRow read_arrow(const KeyedFile& in, const Json& value, const std::string& p
   if (row.from && !(glm::distance(*row.from, *row.to) > 0)) {
     in.fail(path, "\"from\" and \"to\" are two points");
   }
+  if (value.contains("degrees") && !row.about) in.fail(path, "\"degrees\" is for one \"about\"");
   if (row.behind && !row.along) in.fail(path, "\"behind\" is for an arrow \"along\" a way");
   if (row.length && !row.along) in.fail(path, "\"length\" is for an arrow \"along\" a way");
   return row;

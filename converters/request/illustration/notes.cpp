@@ -175,6 +175,10 @@ const std::vector<KeyRow<DimensionRow>>& note_key_rows() {
   });
 }
 
+bool is_blank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
 DimensionRow read_note(const KeyedFile& in, const Json& value, const std::string& path) {
   if (value.is_string()) {
     const std::string given = in.text(value, path);
@@ -189,8 +193,11 @@ DimensionRow read_note(const KeyedFile& in, const Json& value, const std::string
   if (row.of.empty() && !row.at_sheet) {
     in.fail(path, "a note has \"at\", what it points at, or \"place\", mm of the sheet");
   }
-  if (row.text.empty() && row.symbol.empty()) {
+  if (is_blank(row.text) && row.symbol.empty()) {
     in.fail(path + "/text", "a note without words has a \"symbol\"");
+  }
+  if (row.framed && !row.symbol.empty()) {
+    in.fail(path, "\"frame\" is for words alone: leave it out beside \"symbol\"");
   }
   for (const auto& [name, ignored] : row.symbol_values.changed) {
     const std::string symbol = name.substr(0, name.find('.'));
@@ -238,6 +245,7 @@ DimensionRow note_option(const std::string& spelled, const std::string& text) {
   for (std::size_t n = row.text.find("\\n"); n != std::string::npos; n = row.text.find("\\n", n)) {
     row.text.replace(n, 2, "\n");
   }
+  if (is_blank(row.text)) refuse_value(spelled, "words behind the =", text);
   return row;
 }
 

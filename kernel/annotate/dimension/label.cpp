@@ -15,7 +15,7 @@ std::vector<std::string> lines_of(std::string_view text) {
     if (c == '\n') {
       lines.emplace_back();
     } else if (c != '\r') {
-      lines.back() += c;
+      lines.back() += c == '\t' ? ' ' : c;
     }
   }
   return lines;

@@ -21,10 +21,16 @@ double DimensionGround::taken_in(Vec2 way) const {
 Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   // Paper mm: half a wide line, and as much again.
   constexpr double kOffOutline = 0.7;
+  // Paper mm beyond which two have nothing to do with each other, and that lines keep apart.
+  const double apart = 0.9 * step(), far = std::max(apart, 1.0);
+  const Box2 about = place.print.box();
   Conflicts all;
   for (std::size_t i = 0; i < laid.size() && !alone; ++i) {
     if (i == own) continue;
-    const Conflicts one = conflicts_of(place.print, laid[i].print, 0.9 * step());
+    const Box2& other = laid[i].about;
+    const Vec2 off = glm::max(about.min - other.max, other.min - about.max);
+    if (other.empty() || about.empty() || std::max(off.x, off.y) > far) continue;
+    const Conflicts one = conflicts_of(place.print, laid[i].print, apart);
     all.hard += one.hard;
     all.crossings += one.crossings;
   }
@@ -89,7 +95,7 @@ std::vector<std::size_t> order_of(const std::vector<Dimension>& list, const Pape
   return order;
 }
 
-DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
+DimensionPlace found_place(const Dimension& one, const DimensionGround& ground) {
   switch (one.kind) {
     case Dimension::Kind::Round:
       return place_round(one, ground);
@@ -101,6 +107,12 @@ DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
       break;
   }
   return place_length(one, ground);
+}
+
+DimensionPlace place_of(const Dimension& one, const DimensionGround& ground) {
+  DimensionPlace place = found_place(one, ground);
+  place.about = place.print.box();
+  return place;
 }
 
 /// `beside`: what it goes about, too.
@@ -131,6 +143,9 @@ void make_room(const std::vector<Dimension>& list, const std::vector<std::size_t
                DimensionGround& ground) {
   constexpr double kMuchWorse = 8;  // paper mm
   constexpr std::size_t kMostInTheWay = 3;
+  // It looks at all pairs for each: beyond that many nobody would wait for it.
+  constexpr std::size_t kMost = 60;
+  if (order.size() > kMost) return;
   for (std::size_t k = 0; k < order.size(); ++k) {
     std::vector<DimensionPlace> before = ground.laid;
     ground.own = k;
@@ -176,13 +191,15 @@ LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                          dimensions.taken,
                          drawn};
   const std::vector<std::size_t> order = order_of(dimensions.list, view);
+  constexpr std::size_t kMany = 40;
+  ground.many = order.size() > kMany;
   for (const std::size_t i : order) {
     ground.own = ground.laid.size();
     ground.laid.push_back(place_of(dimensions.list[i], ground));
   }
   // Those that came later may lie on the numbers of those before: these find other places.
   constexpr int kMostRounds = 4;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < (ground.many ? 1 : kMostRounds); ++round) {
     bool moved = false;
     for (std::size_t k = 0; k < order.size(); ++k) {
       ground.own = k;

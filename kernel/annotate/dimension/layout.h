@@ -17,6 +17,8 @@ namespace burin::detail {
 /// A place of one dimension.
 struct DimensionPlace {
   Footprint print;
+  /// About that, once it is laid.
+  Box2 about = {};
   Layer layer{"", {}};
   std::vector<Area> areas = {};
   /// The less the better: without the others, and with what is wrong between it and these.
@@ -41,6 +43,8 @@ struct DimensionGround {
   /// In the order in which places are looked for; those before `own` stay nearer to the drawing.
   std::vector<DimensionPlace> laid = {};
   std::size_t own = 0;
+  /// Whether there are so many that fewer places are looked at for each.
+  bool many = false;
   /// Whether places are looked for as if the others took up nothing.
   bool alone = false;
 

@@ -10,6 +10,8 @@ namespace {
 
 /// Steps outwards that are tried.
 constexpr int kMostLeaderSteps = 40;
+/// And where there are many of them.
+constexpr int kFewLeaderSteps = 12;
 /// Paper mm from the outline to the elbow of a leader.
 constexpr double kElbow = 5;
 
@@ -78,7 +80,7 @@ DimensionPlace leader_place(const Leader& leader, const LeaderEnd& end,
                 kSlope * std::abs(std::abs(way.x) - std::abs(way.y)) - kSide * (way.x + way.y);
     return out;
   };
-  return first_free(make, kMostLeaderSteps, ground, limit);
+  return first_free(make, ground.many ? kFewLeaderSteps : kMostLeaderSteps, ground, limit);
 }
 
 DimensionPlace place_round(const Dimension& dimension, const DimensionGround& ground) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace burin::detail {
@@ -67,10 +68,11 @@ class LaidLabel {
   const DimensionOptions& style_;
 };
 
-/// A tip on paper.
+/// A tip on paper; `narrow`: how much less room it has than the best, from 0 to 1.
 struct Tip {
   Vec2 at{0};
   double room = 0;
+  double narrow = 0;
 };
 
 std::vector<Tip> tips_of(const LeaderTarget& target, const PaperView& view) {
@@ -79,6 +81,9 @@ std::vector<Tip> tips_of(const LeaderTarget& target, const PaperView& view) {
     const double room = i < target.rooms.size() ? target.rooms[i] : 0;
     tips.push_back({view.at(target.tips[i]), room * view.scale});
   }
+  double most = 0;
+  for (const Tip& tip : tips) most = std::max(most, tip.room);
+  for (Tip& tip : tips) tip.narrow = most > 0 ? 1 - tip.room / most : 0;
   return tips;
 }
 
@@ -92,7 +97,8 @@ Leader leader_to(const Tip& tip, Vec2 way, const LeaderTarget& target) {
 /// What is worse about a tip than about one with room.
 double cost_of(const Tip& tip) {
   constexpr double kWanted = 3, kNarrow = 6;  // paper mm, and mm a mm that lacks
-  return kNarrow * std::max(0.0, kWanted - tip.room);
+  constexpr double kBeside = 20;              // mm for one beside the middle of what is seen
+  return kNarrow * std::max(0.0, kWanted - tip.room) + kBeside * tip.narrow;
 }
 
 /// Leaders from an elbow to what else a note points at, each to its nearest tip.
@@ -144,8 +150,13 @@ DimensionPlace place_note(const Dimension& note, const DimensionGround& ground) 
     add_others(note, elbow, 1, ground, out);
   }};
   best.cost = std::numeric_limits<double>::infinity();
-  for (const Tip& tip : tips_of(target, ground.view)) {
-    for (const double slope : kSlopes) {
+  std::vector<Tip> tips = tips_of(target, ground.view);
+  // Those with the most room come first.
+  constexpr std::size_t kFewTips = 2, kFewSlopes = 2;
+  if (ground.many && tips.size() > kFewTips) tips.resize(kFewTips);
+  const std::span slopes = std::span(kSlopes).first(ground.many ? kFewSlopes : kSlopes.size());
+  for (const Tip& tip : tips) {
+    for (const double slope : slopes) {
       for (const Vec2 quarter : {Vec2(1, 1), Vec2(-1, 1), Vec2(1, -1), Vec2(-1, -1)}) {
         const double a = glm::radians(slope);
         const Vec2 way = quarter * Vec2(std::cos(a), std::sin(a));

@@ -132,6 +132,15 @@ int crossings_of(const PrintedPiece& piece, std::span<const Vec2> line) {
   return out;
 }
 
+Box2 Footprint::box() const {
+  Box2 out;
+  for (const PrintedPiece& piece : pieces) out.add(piece.a), out.add(piece.b);
+  for (const Quad& quad : letters) {
+    for (const Vec2& corner : quad) out.add(corner);
+  }
+  return out;
+}
+
 Conflicts conflicts_of(const Footprint& one, const Footprint& other, double apart) {
   constexpr double kBetween = 0.5;  // paper mm between letters
   Conflicts out;

@@ -39,6 +39,9 @@ int crossings_of(const PrintedPiece& piece, std::span<const Vec2> line);
 struct Footprint {
   std::vector<PrintedPiece> pieces;
   std::vector<Quad> letters;
+
+  /// About all of it.
+  Box2 box() const;
 };
 
 struct Conflicts {

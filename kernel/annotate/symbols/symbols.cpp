@@ -29,7 +29,9 @@ const SymbolKind* find_symbol(std::string_view name) {
 void add(SymbolKind kind) { all_symbols().add(std::move(kind)); }
 
 std::string detail::in_one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
+  for (char& c : text) {
+    if (c == '\n' || c == '\t') c = ' ';
+  }
   return text;
 }
 

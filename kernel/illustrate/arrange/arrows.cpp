@@ -182,8 +182,10 @@ class ArrowMaker {
     radius += kOffPart * diagonal_ + (ring ? kHeadWidth * 0.5 * width : 0);
     const double off = ring ? 0.5 * extent(box, axis) + kOffPart * diagonal_ : 0;
     const Vec3 middle = box.center() + std::copysign(off, toward) * axis;
-    const Vec3 facing = ring ? up_ : to_viewer_;
-    Vec3 u = reject(facing, axis);
+    // Its middle is on the near side; seen straight along the axis at the top of the sheet.
+    constexpr double kStraight = 0.05;
+    Vec3 u = reject(to_viewer_, axis);
+    if (glm::length(u) < kStraight) u = reject(up_, axis);
     u = glm::length(u) > 1e-6 ? glm::normalize(u) : any_orthogonal(axis);
     const Vec3 v = glm::cross(axis, u);
     const double head = std::min(kHeadLength * width / radius, kMostHead * std::abs(turn));

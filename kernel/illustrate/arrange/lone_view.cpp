@@ -1,6 +1,7 @@
 #include "lone_view.h"
 
 #include <burin/annotate/annotate.h>
+#include <burin/base/error.h>
 #include <burin/illustrate/ground.h>
 
 #include "broken_view.h"
@@ -117,7 +118,14 @@ SheetOfViews plan_lone_view(Scene& scene, const Illustration& illustration) {
     const Margin needed = measured.room(0, broken.moved(dimensions, scale), shown, scale);
     if (holds(room, needed)) break;
     room = larger(room, needed);
-    camera = lone_camera(extent, illustration, room);
+    try {
+      camera = lone_camera(extent, illustration, room);
+    } catch (const UsageError&) {
+      throw UsageError(
+          "the sheet has no room for the view beside its notes, dimensions and lists: give a "
+          "larger "
+          "`paper`, shorter notes (\\n begins a line) or a smaller `dimension.height`");
+    }
   }
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
   sheet.views.front().dimensions = std::move(dimensions);

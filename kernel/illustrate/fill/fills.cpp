@@ -25,8 +25,10 @@ constexpr std::array<Rgb, 9> kPalette{{{0x77, 0xAA, 0xDD},
                                        {0xBB, 0xCC, 0x33},
                                        {0x99, 0xDD, 0xFF},
                                        {0xAA, 0xAA, 0x00}}};
-/// Lightness of the second round through the palette, as a share of that of the first.
+/// Lightness of the next round through the palette, as a share of that of the one before; after
+/// three rounds the colours come again: darker ones would all be grey.
 constexpr double kNextRound = 0.85;
+constexpr std::size_t kRounds = 3;
 /// Opacity of a part that is drawn as of glass though its input says nothing of it.
 constexpr double kGlass = 0.25;
 constexpr Rgb kWhite{255, 255, 255};
@@ -43,7 +45,7 @@ std::vector<std::string> colors_of_parts(const Scene& scene) {
     const std::size_t number =
         kinds.try_emplace({stem_of(part), part.shape_of_name}, kinds.size()).first->second;
     Rgb color = kPalette[number % kPalette.size()];
-    for (std::size_t round = number / kPalette.size(); round > 0; --round) {
+    for (std::size_t round = number / kPalette.size() % kRounds; round > 0; --round) {
       color = with_lightness(color, kNextRound);
     }
     colors.push_back(to_text(color));

@@ -71,6 +71,15 @@ TEST(NoteLayout, TwentyNotesLieOnNothing) {
   EXPECT_EQ(boxes.size(), 27U);
 }
 
+TEST(NoteLayout, TwoHundredNotesHavePlaces) {
+  std::vector<Dimension> list;
+  for (int k = 0; k < 200; ++k) {
+    list.push_back(
+        note("n", {5 + 70.0 * ((7 * k) % 40) / 39, 5 + 40.0 * ((11 * k) % 40) / 39, 10}));
+  }
+  EXPECT_EQ(lay_out(about_plate(list), kTop, {}).notes.texts.size(), 200U);
+}
+
 TEST(NoteLayout, SeveralTargetsShareAnElbow) {
   Dimension one = note("break edges", {10, 25, 10});
   one.targets.push_back(

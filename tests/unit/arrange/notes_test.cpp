@@ -98,6 +98,20 @@ TEST_F(Notes, SayWhereWhatTheyPointAtIsHidden) {
       "note 1 is not drawn: what it points at is hidden in the view front: add top to `views`");
 }
 
+/// What stands exactly behind something of its own outline is hidden.
+TEST_F(Notes, AreNotAtPartsBehindEqualOnes) {
+  begin({"plate", "a.step", test::brep_form(BRepPrimAPI_MakeBox(80, 50, 10).Shape())});
+  for (const double y : {10.0, 40.0}) {
+    const gp_Ax2 axis(gp_Pnt(40, y, 10), gp_Dir(0, 0, 1));
+    scene_.parts.push_back({y < 20 ? "near" : "far", "a.step",
+                            test::brep_form(BRepPrimAPI_MakeCylinder(axis, 6, 20).Shape())});
+  }
+  plan_.views = {"front", "top"};
+  note("far", {part("far")});
+  EXPECT_TRUE(in("front").empty());
+  EXPECT_EQ(in("top").size(), 1U);
+}
+
 TEST_F(Notes, MoveWithTheirParts) {
   plan_.views = {"front"};
   plan_.explode.wanted = true;
@@ -120,13 +134,15 @@ TEST_F(Notes, FillTheirBracesFromTheModel) {
   plan_.style.dimension.decimals = 6;
   note("{part.name}: {diameter}", {at({28.5, 15, 6})});
   note("{volume}", {part("plate*")});
+  note("{length}", {{.kind = FeatureRow::Kind::Edge, .at = {28.5, 15, 12}}});
   note("{length} {item}", {{.kind = FeatureRow::Kind::Edge, .at = {40, 0, 12}}});
   std::vector<std::string> texts;
   for (const Dimension& one : in("iso")) texts.push_back(one.label->texts.at(0).text);
-  ASSERT_EQ(texts.size(), 3U);
+  ASSERT_EQ(texts.size(), 4U);
   EXPECT_EQ(texts[0], "plate: 17");
   EXPECT_NEAR(std::stod(texts[1]), 12 * (80 * 50 - std::numbers::pi * 8.5 * 8.5), 1e-5);
-  EXPECT_EQ(texts[2], "80 1");
+  EXPECT_NEAR(std::stod(texts[2]), 17 * std::numbers::pi, 1e-6);
+  EXPECT_EQ(texts[3], "80 1");
 }
 
 TEST_F(Notes, RefuseWhatTheModelDoesNotHave) {

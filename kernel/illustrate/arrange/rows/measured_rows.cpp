@@ -154,7 +154,10 @@ class Measurer {
         out.part_name = name_as_read(scene_.parts[part].name);
         if (name == "part.name" || name == "item") value = 0;
         if (name == "volume") value = scene_.parts[part].form->measure(context_).volume;
-        if (name == "length" && kind == FeatureRow::Kind::Edge) value = first->size;
+        if (name == "length" && kind == FeatureRow::Kind::Edge) {
+          value = first->kind == FeatureKind::Circle ? glm::radians(first->turn) * first->radius
+                                                     : first->size;
+        }
         if (name == "area" && kind == FeatureRow::Kind::Face) value = first->size;
         if (name == "area" && kind == FeatureRow::Kind::Part) {
           value = scene_.parts[part].form->measure(context_).area;
@@ -344,7 +347,10 @@ std::vector<std::shared_ptr<const Surface>> surfaces_there(const Scene& scene,
     } catch (const GeometryError&) {
       continue;  // nothing of the part is left, or it cannot be drawn, which is told elsewhere
     }
-    if (row.row.of[k].kind == FeatureRow::Kind::Part) continue;
+    if (row.row.of[k].kind == FeatureRow::Kind::Part) {
+      if (one->proxy().mesh.triangles.empty()) one.reset();
+      continue;
+    }
     const bool face = row.row.of[k].kind == FeatureRow::Kind::Face;
     const bool left = face ? face_feature(*one, row.of[k].number, context).has_value()
                            : edge_feature(*one, row.of[k].number).has_value();

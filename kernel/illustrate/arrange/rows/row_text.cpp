@@ -28,7 +28,10 @@ std::string value_text(const std::string& name, double value, const MeasuredRow&
                        const DimensionOptions& style) {
   if (name == "part.name") return row.part_name;
   if (name == "item") return std::to_string(row.item);
-  return dimension_text(value, style);
+  // Areas and volumes stay in mm2 and mm3.
+  DimensionOptions plain = style;
+  if (name == "area" || name == "volume") plain.unit = DimensionOptions::Unit::Millimetre;
+  return dimension_text(value, plain);
 }
 
 std::string text_of(const MeasuredRow& row, const DimensionOptions& style) {

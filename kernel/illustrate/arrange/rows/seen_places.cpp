@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -30,7 +31,8 @@ class SeenCells {
     at_.resize(static_cast<std::size_t>(nx_ * ny_));
   }
 
-  /// `look`: the point of the feature that a ray through a place of the view meets first, if any.
+  /// `look`: the point of the feature that a ray through a place of the view meets first, if any,
+  /// and its face.
   template <class Look>
   void fill(const Look& look) {
     const Vec2 low =
@@ -49,7 +51,7 @@ class SeenCells {
       if (best == room.end() || !(*best > 0)) break;
       const auto at = static_cast<std::size_t>(best - room.begin());
       const double radius = *best;
-      out.push_back({*at_[at], radius * cell_});
+      out.push_back({at_[at]->first, radius * cell_});
       for (std::size_t k = 0; k < room.size(); ++k) {
         if (distance(at, k) <= 2 * radius) room[k] = 0;
       }
@@ -68,14 +70,18 @@ class SeenCells {
     return std::hypot(along(a % n, b % n), along(a / n, b / n));
   }
 
-  /// Cells from each that is seen to the next that is not, by a chamfer in two sweeps.
+  /// Cells from each that is seen to the next that is not, or shows another face, by a chamfer in
+  /// two sweeps.
   std::vector<double> rooms() const {
     std::vector<double> room(at_.size(), 0.0);
-    const auto of = [&](int x, int y) {
-      return x < 0 || y < 0 || x >= nx_ || y >= ny_ ? 0.0 : room[index(x, y)];
-    };
     const auto relax = [&](int x, int y, int back) {
-      if (!at_[index(x, y)]) return;
+      const auto& own_at = at_[index(x, y)];
+      if (!own_at) return;
+      const auto of = [&](int i, int j) {
+        if (i < 0 || j < 0 || i >= nx_ || j >= ny_) return 0.0;
+        const auto& other = at_[index(i, j)];
+        return other && other->second == own_at->second ? room[index(i, j)] : 0.0;
+      };
       const double straight = std::min(of(x - back, y), of(x, y - back)) + 1;
       const double slanted =
           std::min(of(x - back, y - back), of(x + back, y - back)) + std::numbers::sqrt2;
@@ -97,7 +103,7 @@ class SeenCells {
   Box3 box_;
   double cell_ = 0;
   int nx_ = 0, ny_ = 0;
-  std::vector<std::optional<Vec3>> at_;
+  std::vector<std::optional<std::pair<Vec3, std::int32_t>>> at_;
 };
 
 Box3 box_in_view(const SeenFeature& seen, const Mat3& axes) {
@@ -123,13 +129,15 @@ std::vector<SeenPlace> FeatureSight::places_by_rays(const SeenFeature& seen,
   SeenCells cells(box);
   const Mat3 to_model = glm::transpose(axes);
   const double beyond = box.max.z + 2 * occluder_->diagonal();
-  cells.fill([&](Vec2 at) -> std::optional<Vec3> {
+  cells.fill([&](Vec2 at) -> std::optional<std::pair<Vec3, std::int32_t>> {
     const Vec3 eye = to_model * Vec3(at, beyond);
     const auto hit =
         occluder_->first_hit(eye, -to_model[2], 0, std::numeric_limits<double>::infinity());
     if (!hit || static_cast<std::size_t>(hit->where.part) != seen.part) return std::nullopt;
     if (!is_of_feature(proxy, hit->where.face, seen)) return std::nullopt;
-    return eye - hit->distance * to_model[2];
+    const std::int32_t face =
+        proxy.is_cut(hit->where.face) ? -1 : proxy.face_source(hit->where.face);
+    return std::pair(eye - hit->distance * to_model[2], face);
   });
   return cells.middles();
 }
@@ -138,8 +146,11 @@ std::vector<SeenPlace> FeatureSight::places_by_triangles(const SeenFeature& seen
                                                          Vec3 to_viewer) const {
   std::vector<SeenPlace> all;
   const bool edge = seen.kind == FeatureRow::Kind::Edge;
-  // A face that is seen from its edge is a line; a part is more than that.
-  const double least = seen.kind == FeatureRow::Kind::Part ? 1e-6 : -1;
+  // A flat face that is seen from its edge is a line. What is round or has more than one face is
+  // seen elsewhere too, or something of the same outline stands before it.
+  constexpr double kSlanted = 0.3;
+  const bool line = seen.kind == FeatureRow::Kind::Face && seen.feature.kind == FeatureKind::Plane;
+  const double least = line ? -1 : kSlanted;
   for (const Place& place : sampled_places(seen, to_viewer)) {
     if (glm::dot(place.normal, to_viewer) <= least) continue;
     if (!shows_place(place.at + seen.moved, place.normal, to_viewer)) continue;
