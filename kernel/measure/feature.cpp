@@ -183,7 +183,16 @@ std::optional<Feature> edge_feature(const Surface& surface, std::int32_t number)
   out.number = number;
   out.size = length;
   out.points = std::move(points);
-  if (out.kind == FeatureKind::Circle) out.turn = glm::degrees(length / out.radius);
+  if (out.kind == FeatureKind::Circle) {
+    // Of the arcs over the chords.
+    double turn = 0;
+    for (const HalfEdge h : halves) {
+      const auto [a, b] = ends_of(proxy, h);
+      turn += 2 * std::asin(std::min(1.0, 0.5 * glm::distance(a, b) / out.radius));
+    }
+    out.turn = glm::degrees(turn);
+    out.size = turn * out.radius;
+  }
   return out;
 }
 

@@ -125,6 +125,10 @@ DimensionPlace place_fixed(const Dimension& note, const DimensionGround& ground)
   const LaidLabel label(note, ground);
   const Vec2 low = *note.place, size = note.label->size;
   if (note.targets.empty() || note.targets.front().tips.empty()) {
+    // A symbol stands on its shelf without a leader, too.
+    if (note.label->underlined && !note.label->paths.empty()) {
+      add_leader_piece(low, low + Vec2(size.x, 0), {}, ground.style.line, out);
+    }
     label.at(low, out);
     return out;
   }

@@ -154,10 +154,7 @@ class Measurer {
         out.part_name = name_as_read(scene_.parts[part].name);
         if (name == "part.name" || name == "item") value = 0;
         if (name == "volume") value = scene_.parts[part].form->measure(context_).volume;
-        if (name == "length" && kind == FeatureRow::Kind::Edge) {
-          value = first->kind == FeatureKind::Circle ? glm::radians(first->turn) * first->radius
-                                                     : first->size;
-        }
+        if (name == "length" && kind == FeatureRow::Kind::Edge) value = first->size;
         if (name == "area" && kind == FeatureRow::Kind::Face) value = first->size;
         if (name == "area" && kind == FeatureRow::Kind::Part) {
           value = scene_.parts[part].form->measure(context_).area;
