@@ -37,6 +37,8 @@ struct DimensionGround {
   /// Lines that stand beside the parts.
   std::vector<std::vector<Vec2>> beside;
   Margin taken{0};
+  /// Lines that are laid over the drawing later, paper mm.
+  const std::vector<std::vector<Vec2>>& over_it;
   const Drawing* drawn = nullptr;
   /// In the order in which places are looked for; those before `own` stay nearer to the drawing.
   std::vector<DimensionPlace> laid = {};

@@ -71,6 +71,30 @@ TEST(NoteLayout, TwentyNotesLieOnNothing) {
   EXPECT_EQ(boxes.size(), 27U);
 }
 
+/// The line of a section goes up from the drawing, where a note would stand.
+TEST(NoteLayout, KeepsOffLinesThatAreLaidOverTheDrawingLater) {
+  const auto lies_on_it = [](bool told) {
+    const std::vector<Vec2> line{{64, 0}, {64, 64}, {72, 64}};
+    ViewDimensions dimensions = about_plate({note("a note of some length", {40, 45, 10})});
+    if (told) dimensions.over_it.push_back(line);
+    const LaidDimensions laid = lay_out(dimensions, kTop, {});
+    const Box2 box = text_box(laid.notes.texts.at(0));
+    return !apart(box, Box2{{64, 0}, {64, 64}}) || !apart(box, Box2{{64, 64}, {72, 64}});
+  };
+  EXPECT_TRUE(lies_on_it(false));
+  EXPECT_FALSE(lies_on_it(true));
+}
+
+/// Tails of letters end above the shoulder of a leader.
+TEST(NoteLayout, TailsStandOverTheLeader) {
+  const Label label = text_label("jpg", false, {});
+  Box2 ink;
+  for (const auto& ring : text_outlines(label.texts.at(0), 0.01)) {
+    for (const Vec2& p : ring) ink.add(p);
+  }
+  EXPECT_GT(ink.min.y, label.shoulder + 0.1);
+}
+
 TEST(NoteLayout, SeveralTargetsShareAnElbow) {
   Dimension one = note("break edges", {10, 25, 10});
   one.targets.push_back(
