@@ -64,14 +64,14 @@ def draw(job):
         done = subprocess.run([burin, "draw", str(file), *words, "-o", str(drawing), "--style", "outline"], capture_output=True,
                               text=True, timeout=300)
         if done.returncode:
-            return f"# {drawing.stem}: " + done.stderr.strip().splitlines()[-1]
+            return f"# {drawing.stem}: status {done.returncode} " + "".join(done.stderr.strip().splitlines()[-1:])
         return subprocess.run([judge, str(drawing)], capture_output=True, text=True, check=True).stdout.strip()
     except subprocess.TimeoutExpired:
         return f"# {drawing.stem}: more than 300 s"
 
 
 def main(words):
-    burin, judge, folder, files, jobs, most, all_told = None, None, None, [], 1, 200, False
+    files, jobs, most, all_told = [], 1, 200, False
     words = iter(words)
     burin, judge, folder = next(words), next(words), pathlib.Path(next(words))
     for word in words:
@@ -92,9 +92,11 @@ def main(words):
         with_labels = with_any = 0
         for told in pool.map(draw, [(burin, judge, folder, i, v) for i, v in enumerate(views)]):
             row, *lines = told.split("\n")
-            print(pathlib.Path(row.split("\t")[0]).stem + row[len(row.split("\t")[0]):] if row[0] != "#" else row, flush=True)
-            if row[0] == "#":
+            if row.startswith("#"):
+                print(row, flush=True)
                 continue
+            name, rest = row.split("\t", 1)
+            print(pathlib.Path(name).stem, rest, sep="\t", flush=True)
             numbers = [int(n) for n in row.split("\t")[1:]]
             count += 1
             with_labels += any(numbers[2:5])
