@@ -49,6 +49,7 @@ IllustrateOptions options_of(const PlacedView& view, const SheetOfViews& sheet,
     options.shown = {center - radius, center + radius};
     options.annotations.reset();
   }
+  options.dimensions.within = view.box;
   if (!options.annotations) return options;
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
@@ -56,6 +57,8 @@ IllustrateOptions options_of(const PlacedView& view, const SheetOfViews& sheet,
   options.annotations->title_block.reset();
   options.annotations->margin = margin_about(view.box, view.camera.paper());
   options.annotations->over_it = options.dimensions.over_it;
+  const Paper& paper = view.camera.paper();
+  options.dimensions.within = inside(paper, annotation_margin(*options.annotations, style, paper));
   return options;
 }
 

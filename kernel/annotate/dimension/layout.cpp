@@ -47,6 +47,8 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   }
   for (const Quad& letters : place.print.letters) {
     all.hard += overlap(grown(letters, kOffOutline), outline) ? 1 : 0;
+    const auto leaves = [&](Vec2 p) { return !within->contains(p); };
+    all.hard += within && std::ranges::any_of(letters, leaves) ? 1 : 0;
     for (const std::vector<Vec2>& line : over_it) {
       all.hard += lies_on(grown(letters, kOffOutline), line) ? 1 : 0;
     }
@@ -192,6 +194,7 @@ LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                          std::move(beside),
                          dimensions.taken,
                          dimensions.over_it,
+                         dimensions.within,
                          drawn};
   const std::vector<std::size_t> order = order_of(dimensions.list, view);
   for (const std::size_t i : order) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,17 @@ TEST(NoteLayout, KeepsOffLinesThatAreLaidOverTheDrawingLater) {
   };
   EXPECT_TRUE(lies_on_it(false));
   EXPECT_FALSE(lies_on_it(true));
+}
+
+/// Another view begins beside the drawing.
+TEST(NoteLayout, StandsInWhatOtherViewsLeave) {
+  const auto right_end = [](std::optional<Box2> within) {
+    ViewDimensions dimensions = about_plate({note("of some length", {70, 25, 10})});
+    dimensions.within = within;
+    return text_box(lay_out(dimensions, kTop, {}).notes.texts.at(0)).max.x;
+  };
+  EXPECT_GT(right_end({}), 90);
+  EXPECT_LE(right_end(Box2{{-60, -40}, {90, 90}}), 90);
 }
 
 /// Tails of letters end above the shoulder of a leader.
