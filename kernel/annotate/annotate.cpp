@@ -5,6 +5,7 @@
 
 #include "anchors.h"
 #include "frame_path.h"
+#include "kept_clear.h"
 #include "stroke_directions.h"
 #include "tables.h"
 
@@ -73,22 +74,6 @@ Box2 ink_box(const Drawing& drawing) {
   return box;
 }
 
-/// The boxes of the letters that a drawing has, as of dimensions.
-std::vector<Box2> letters_of(const Drawing& drawing) {
-  std::vector<Box2> out;
-  for (const Layer& layer : drawing.layers) {
-    for (const Text& text : layer.texts) out.push_back(text_box(text));
-  }
-  return out;
-}
-
-/// Whether a leader passes over letters.
-bool passes_over(const Box2& letters, Vec2 from, Vec2 to) {
-  const Vec2 a = letters.min, c = letters.max, b(c.x, a.y), d(a.x, c.y);
-  return letters.contains(from) || letters.contains(to) || segments_cross(from, to, a, c) ||
-         segments_cross(from, to, b, d);
-}
-
 int largest_number(const std::vector<DrawingItem>& items) {
   int largest = 1;
   for (const DrawingItem& item : items) largest = std::max(largest, item.number);
@@ -104,7 +89,10 @@ std::string names_of(const std::vector<const DrawingItem*>& items) {
 void add_callouts(Drawing& drawing, std::span<const Area> seen, const Box2& frame,
                   const Annotations& annotations, const CalloutOptions& style,
                   const RunContext& context) {
-  const Box2 ink = ink_box(drawing);
+  Box2 ink = ink_box(drawing);
+  for (const std::vector<Vec2>& line : annotations.over_it) {
+    for (const Vec2& p : line) ink.add(p);
+  }
   std::vector<const DrawingItem*> not_shown;
   const std::vector<Anchor> anchors =
       detail::find_anchors(drawing, seen, annotations.items, ink.center(), style.layout, not_shown);
@@ -118,15 +106,11 @@ void add_callouts(Drawing& drawing, std::span<const Area> seen, const Box2& fram
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
   const detail::StrokeDirections directions(drawing);
-  const std::vector<Box2> letters = letters_of(drawing);
+  const detail::KeptClear others(drawing, annotations.over_it);
+  const LeaderCosts costs{.along = [&](Vec2 from, Vec2 to) { return directions.along(from, to); },
+                          .over = [&](Vec2 from, Vec2 to) { return others.passed_over(from, to); }};
   const CalloutPlaces places =
-      place_callouts(points, ink, frame, sizes, style.layout, context, [&](Vec2 from, Vec2 to) {
-        // As bad as that many mm along strokes.
-        constexpr double kOverLetters = 200;
-        const auto over = std::ranges::count_if(
-            letters, [&](const Box2& box) { return passes_over(box, from, to); });
-        return directions.along(from, to) + kOverLetters * static_cast<double>(over);
-      });
+      place_callouts(points, ink, frame, sizes, style.layout, context, costs);
   if (places.unfinished) {
     drawing.diagnostics.add(Severity::Warning, "callouts.many", std::ssize(anchors),
                             fmt::format("{} callouts are too many to keep all leaders from "

@@ -69,6 +69,12 @@ Box2 letter_box(const Drawing& sheet, const DetailMark& mark, double height,
 
 }  // namespace
 
+std::vector<Vec2> line_of(const DetailMark& mark) {
+  std::vector<Vec2> ring = detail::circle(mark.from.center, mark.from.radius, 0).points;
+  ring.push_back(ring.front());
+  return ring;
+}
+
 double detail_caption(const CalloutOptions& style) { return (1 + 2 * kAbove) * style.height; }
 
 void lay_details(Drawing& sheet, std::span<const DetailMark> marks, const CalloutOptions& style) {
@@ -83,15 +89,20 @@ void lay_details(Drawing& sheet, std::span<const DetailMark> marks, const Callou
   for (const Layer& other : sheet.layers) {
     for (const Text& text : other.texts) taken.push_back(text_box(text));
   }
-  std::vector<Text> texts;
+  std::vector<Text> captions, texts;
   for (const DetailMark& mark : marks) {
+    const Vec2 above(0, mark.to.radius + kAbove * style.height);
+    captions.push_back({mark.to.center + above, style.height, TextAnchor::Middle,
+                        mark.letter + " (" + scale_text(mark.scale) + ")", "detail", 0});
+    taken.push_back(text_box(captions.back()));
+  }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const DetailMark& mark = marks[i];
     const Box2 box = letter_box(sheet, mark, style.height, taken);
     taken.push_back(box);
     texts.push_back(
         {{box.center().x, box.min.y}, style.height, TextAnchor::Middle, mark.letter, "detail", 0});
-    const Vec2 above(0, mark.to.radius + kAbove * style.height);
-    texts.push_back({mark.to.center + above, style.height, TextAnchor::Middle,
-                     mark.letter + " (" + scale_text(mark.scale) + ")", "detail", 0});
+    texts.push_back(std::move(captions[i]));
   }
   sheet.layers.back().texts = std::move(texts);
 }

@@ -1,172 +1,21 @@
 #include <burin/annotate/place.h>
 #include <burin/drawing/font.h>
 
+#include "sides.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace burin {
 namespace {
 
-/// A side of the rectangle: a line along x (rows) or y (columns).
-struct Side {
-  bool row = false;
-  /// The other coordinate, and from where to where middles may stand.
-  double across = 0, low = 0, high = 0;
-  /// Anchors by place along the side.
-  std::vector<std::size_t> labels;
-  std::vector<double> along;
-
-  Vec2 at(std::size_t i) const { return row ? Vec2(along[i], across) : Vec2(across, along[i]); }
-  std::size_t room(double pitch) const {
-    return high < low ? 0 : static_cast<std::size_t>((high - low) / pitch + 1e-9) + 1;
-  }
-};
-
-enum Edge : std::size_t { Left, Right, Bottom, Top };
-using Sides = std::array<Side, 4>;
-
-Sides sides_of(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes, bool corners) {
-  const double r = 0.5 * sizes.diameter, off = sizes.gap + r;
-  Sides sides;
-  sides[Left].across = std::max(drawing.min.x - off, frame.min.x + r);
-  sides[Right].across = std::min(drawing.max.x + off, frame.max.x - r);
-  sides[Bottom].across = std::max(drawing.min.y - off, frame.min.y + r);
-  sides[Top].across = std::min(drawing.max.y + off, frame.max.y - r);
-  for (const std::size_t column : {Left, Right}) {
-    sides[column].low = corners ? sides[Bottom].across + sizes.pitch : frame.min.y + r;
-    sides[column].high = corners ? sides[Top].across - sizes.pitch : frame.max.y - r;
-  }
-  for (const std::size_t row : {Bottom, Top}) {
-    sides[row].row = true;
-    sides[row].low = sides[Left].across;
-    sides[row].high = sides[Right].across;
-  }
-  return sides;
-}
-
-/// How many numbers each side gets.
-struct Share {
-  bool corners = false;
-  std::array<std::size_t, 4> counts{};
-};
-
-/// Whether the numbers of a share stand beside the drawing, not over it.
-bool has_space(const Share& share, const Box2& drawing, const Box2& frame,
-               const CalloutSizes& sizes) {
-  constexpr double kRounding = 1e-6;  // paper mm
-  const double r = 0.5 * sizes.diameter - kRounding;
-  const Sides sides = sides_of(drawing, frame, sizes, share.corners);
-  const auto& c = share.counts;
-  const bool columns = c[Left] + c[Right] > 0, rows = c[Bottom] + c[Top] > 0;
-  return (!columns ||
-          (sides[Left].across + r <= drawing.min.x && sides[Right].across - r >= drawing.max.x)) &&
-         (!rows ||
-          (sides[Bottom].across + r <= drawing.min.y && sides[Top].across - r >= drawing.max.y));
-}
-
-std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& frame,
-                               const CalloutSizes& sizes, CalloutOptions::Layout layout) {
-  using Layout = CalloutOptions::Layout;
-  const auto halves = [](std::size_t m) { return std::pair(m - m / 2, m / 2); };
-  Share share;
-  auto& c = share.counts;
-  if (layout == Layout::Columns) {
-    const Sides plain = sides_of(drawing, frame, sizes, false);
-    if (n <= 2 * plain[Left].room(sizes.pitch)) {
-      std::tie(c[Left], c[Right]) = halves(n);
-      return share;
-    }
-  }
-  share.corners = true;
-  const Sides sides = sides_of(drawing, frame, sizes, true);
-  const std::size_t column = sides[Left].room(sizes.pitch), row = sides[Top].room(sizes.pitch);
-  if (n > 2 * (column + row)) return std::nullopt;
-  std::size_t rows = 0;
-  if (layout == Layout::Columns) {
-    rows = n - std::min(n, 2 * column);
-  } else if (layout == Layout::Rows) {
-    rows = std::min(n, 2 * row);
-  } else {
-    const double wide = drawing.size().x, tall = drawing.size().y;
-    const double part = wide + tall > 0 ? wide / (wide + tall) : 0.5;
-    rows = static_cast<std::size_t>(std::lround(part * static_cast<double>(n)));
-    rows = std::clamp(rows, n - std::min(n, 2 * column), std::min(n, 2 * row));
-  }
-  std::tie(c[Top], c[Bottom]) = halves(rows);
-  std::tie(c[Left], c[Right]) = halves(n - rows);
-  return share;
-}
-
-/// The share that leaves the drawing clear; nothing where there is none.
-std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& frame,
-                              const CalloutSizes& sizes, CalloutOptions::Layout layout) {
-  std::optional<Share> share = any_share(n, drawing, frame, sizes, layout);
-  if (share && !has_space(*share, drawing, frame, sizes)) share.reset();
-  return share;
-}
-
-/// Where all numbers stand on two opposite sides, those go to each whose anchors are nearer to it,
-/// as far as both have room.
-void lean(std::span<const Vec2> anchors, const Box2& drawing, double pitch, const Sides& sides,
-          Share& share) {
-  auto& c = share.counts;
-  const std::size_t n = anchors.size();
-  const auto part = [&](std::size_t first, std::size_t second, const auto& nearer) {
-    const std::size_t room = std::min(n, sides[first].room(pitch));
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(anchors, nearer));
-    c[first] = std::clamp(count, n - room, room);
-    c[second] = n - c[first];
-  };
-  const Vec2 middle = drawing.center();
-  if (c[Left] + c[Right] == n && n <= 2 * sides[Left].room(pitch)) {
-    part(Left, Right, [&](Vec2 p) { return p.x < middle.x; });
-  } else if (c[Top] + c[Bottom] == n && n <= 2 * sides[Top].room(pitch)) {
-    part(Top, Bottom, [&](Vec2 p) { return p.y > middle.y; });
-  }
-}
-
-/// Deals the anchors to the sides: those farthest up, down, left, then the rest; each side by
-/// place.
-void deal(std::span<const Vec2> anchors, const Share& share, double pitch, Sides& sides) {
-  std::vector<std::size_t> left(anchors.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
-  const auto take = [&](std::size_t side, const auto& key) {
-    std::ranges::stable_sort(left, {}, key);
-    const auto end = left.begin() + static_cast<std::ptrdiff_t>(share.counts[side]);
-    sides[side].labels.assign(left.begin(), end);
-    left.erase(left.begin(), end);
-  };
-  take(Top, [&](std::size_t i) { return -anchors[i].y; });
-  take(Bottom, [&](std::size_t i) { return anchors[i].y; });
-  take(Left, [&](std::size_t i) { return anchors[i].x; });
-  take(Right, [&](std::size_t i) { return anchors[i].x; });
-  for (Side& side : sides) {
-    const auto along = [&](std::size_t i) { return side.row ? anchors[i].x : anchors[i].y; };
-    std::ranges::stable_sort(side.labels, {}, along);
-    std::vector<double> wanted;
-    for (const std::size_t label : side.labels) wanted.push_back(along(label));
-    side.along = spread(wanted, pitch, side.low, side.high);
-  }
-}
-
-/// All places as one list: who stands where.
-struct Place {
-  std::size_t side, index;
-};
-
-std::vector<Place> all_places(const Sides& sides) {
-  std::vector<Place> places;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    for (std::size_t i = 0; i < sides[s].labels.size(); ++i) places.push_back({s, i});
-  }
-  return places;
-}
+using detail::any_share, detail::deal, detail::lean, detail::places_of, detail::share_of,
+    detail::sides_of;
+using detail::Edge, detail::Left, detail::Right, detail::Bottom, detail::Top;
+using detail::Place, detail::Side, detail::Sides, detail::Share;
 
 /// Pairs that are looked at, of all passes: about a second. A hundred numbers take 5e5.
 constexpr std::size_t kMostPairs = 30'000'000;
@@ -213,7 +62,7 @@ void slide(std::span<const Vec2> anchors, double pitch, Sides& sides) {
 /// How many leaders a leader crosses, anchors that it passes over, and circles; less for what of it
 /// runs along strokes.
 double conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, std::size_t own,
-                 Vec2 place, double radius, const AlongStrokes& along) {
+                 Vec2 place, double radius, const LeaderCosts& costs) {
   constexpr double kClear = 1.2;  // paper mm from another's dot
   constexpr double kCrossing = 100;
   // Paper mm that may run along strokes, and what is as bad as an anchor.
@@ -231,26 +80,19 @@ double conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, std::s
     if (distance(anchors[i]) < kClear) ++n;
     if (distance(at[i]) < radius) ++n;
   }
-  if (const double mm = along ? along(from, place) : 0; mm > kLittle) n += mm / kAsBad;
+  const double mm = costs.along ? costs.along(from, place) : 0;
+  if (mm > kLittle) n += mm / kAsBad;
+  if (costs.over) n += costs.over(from, place);
   return n;
 }
 
 /// More numbers are not looked at one by one.
 constexpr std::size_t kMostCleared = 1000;
 
-std::vector<Vec2> places_of(std::size_t count, const Sides& sides) {
-  std::vector<Vec2> at(count);
-  for (const Place& place : all_places(sides)) {
-    const Side& side = sides[place.side];
-    at[side.labels[place.index]] = side.at(place.index);
-  }
-  return at;
-}
-
-/// Moves numbers whose leader passes over an anchor or a circle of another, or runs along strokes,
-/// as far as their neighbours leave room.
+/// Moves numbers whose leader passes over an anchor or a circle of another or over other
+/// annotations, or runs along strokes, as far as their neighbours leave room.
 void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, double pitch,
-                   const AlongStrokes& along, Sides& sides, const RunContext& context) {
+                   const LeaderCosts& costs, Sides& sides, const RunContext& context) {
   constexpr int kRounds = 4, kSteps = 12;
   const double radius = 0.5 * sizes.diameter;
   std::vector<Vec2> at = places_of(anchors.size(), sides);
@@ -261,7 +103,7 @@ void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, dou
       for (std::size_t i = 0; i < side.labels.size(); ++i) {
         const std::size_t own = side.labels[i];
         const double was = side.along[i];
-        double least = conflicts(anchors, at, own, at[own], radius, along);
+        double least = conflicts(anchors, at, own, at[own], radius, costs);
         if (least == 0) continue;
         const double low = i > 0 ? side.along[i - 1] + pitch : side.low;
         const double high = i + 1 < side.along.size() ? side.along[i + 1] - pitch : side.high;
@@ -270,7 +112,7 @@ void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, dou
           for (const double way : {-1.0, 1.0}) {
             side.along[i] = was + way * step * pitch / 4;
             if (side.along[i] < low || side.along[i] > high) continue;
-            const double n = conflicts(anchors, at, own, side.at(i), radius, along);
+            const double n = conflicts(anchors, at, own, side.at(i), radius, costs);
             if (n < least) least = n, best = side.along[i];
           }
         }
@@ -290,6 +132,80 @@ bool any_crossing(std::span<const Vec2> anchors, std::span<const Vec2> at) {
     }
   }
   return false;
+}
+
+/// Numbers that stand on sides by a share.
+struct Placed {
+  std::vector<Vec2> at;
+  std::size_t swaps = 0;
+  bool unfinished = false;
+};
+
+Placed place_by(const Share& share, std::span<const Vec2> anchors, const Box2& drawing,
+                const Box2& frame, const CalloutSizes& sizes, const LeaderCosts& costs,
+                const RunContext& context) {
+  Placed placed;
+  Sides sides = sides_of(drawing, frame, sizes, share.corners);
+  deal(anchors, share, sizes.pitch, sides);
+  constexpr int kRounds = 12;
+  std::size_t left = kMostPairs;
+  placed.swaps = swap_pairs(anchors, sides, left, context);
+  for (int round = 0; round < kRounds; ++round) {
+    slide(anchors, sizes.pitch, sides);
+    const std::size_t swaps = swap_pairs(anchors, sides, left, context);
+    placed.swaps += swaps;
+    if (swaps == 0) break;
+  }
+  placed.at = places_of(anchors.size(), sides);
+  placed.unfinished = left == 0;
+  if (anchors.size() > kMostCleared) return placed;
+  clear_anchors(anchors, sizes, sizes.pitch, costs, sides, context);
+  std::vector<Vec2> at = places_of(anchors.size(), sides);
+  if (!any_crossing(anchors, at)) placed.at = std::move(at);
+  return placed;
+}
+
+/// What is wrong with all leaders: what they meet, and how long they are.
+double cost_of(std::span<const Vec2> anchors, std::span<const Vec2> at, double radius,
+               const LeaderCosts& costs) {
+  constexpr double kLong = 0.01;  // a mm
+  double cost = 0;
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    cost +=
+        conflicts(anchors, at, i, at[i], radius, costs) + kLong * glm::distance(anchors[i], at[i]);
+  }
+  return cost;
+}
+
+/// Where leaders pass over other annotations: the best of the ways to share the numbers between
+/// the two sides that have them.
+void share_otherwise(Share share, std::span<const Vec2> anchors, const Box2& drawing,
+                     const Box2& frame, const CalloutSizes& sizes, const LeaderCosts& costs,
+                     const RunContext& context, Placed& best) {
+  // More numbers fill both sides, and take longer.
+  constexpr std::size_t kMost = 100, kWays = 5;
+  const std::size_t n = anchors.size();
+  auto& c = share.counts;
+  const bool columns = c[Left] + c[Right] == n;
+  if (!costs.over || n > kMost || (!columns && c[Top] + c[Bottom] != n)) return;
+  const auto passes = [&](std::size_t i) { return costs.over(anchors[i], best.at[i]) > 0; };
+  bool any = false;
+  for (std::size_t i = 0; i < n && !any; ++i) any = passes(i);
+  if (!any) return;
+  const Edge first = columns ? Left : Top, second = columns ? Right : Bottom;
+  const std::size_t room =
+      std::min(n, sides_of(drawing, frame, sizes, share.corners)[first].room(sizes.pitch));
+  const double radius = 0.5 * sizes.diameter;
+  double least = cost_of(anchors, best.at, radius, costs);
+  for (std::size_t k = 0; k < kWays && 2 * room >= n; ++k) {
+    c[first] = std::clamp(n * k / (kWays - 1), n - room, room);
+    c[second] = n - c[first];
+    Placed other = place_by(share, anchors, drawing, frame, sizes, costs, context);
+    const double cost = cost_of(anchors, other.at, radius, costs);
+    if (!(cost < least - 1e-9)) continue;
+    least = cost;
+    best = std::move(other);
+  }
 }
 
 }  // namespace
@@ -358,7 +274,7 @@ bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
 
 CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing, const Box2& frame,
                              const CalloutSizes& sizes, CalloutOptions::Layout layout,
-                             const RunContext& context, const AlongStrokes& along) {
+                             const RunContext& context, const LeaderCosts& costs) {
   CalloutPlaces places;
   CalloutSizes used = sizes;
   std::optional<Share> share = share_of(anchors.size(), drawing, frame, used, layout);
@@ -378,25 +294,12 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
     share->counts[Left] = anchors.size();
   }
   places.pitch = used.pitch;
-  Sides sides = sides_of(drawing, frame, used, share->corners);
-  lean(anchors, drawing, used.pitch, sides, *share);
-  deal(anchors, *share, used.pitch, sides);
-  constexpr int kRounds = 12;
-  std::size_t left = kMostPairs;
-  places.swaps = swap_pairs(anchors, sides, left, context);
-  for (int round = 0; round < kRounds; ++round) {
-    slide(anchors, used.pitch, sides);
-    const std::size_t swaps = swap_pairs(anchors, sides, left, context);
-    places.swaps += swaps;
-    if (swaps == 0) break;
-  }
-  places.at = places_of(anchors.size(), sides);
-  places.unfinished = left == 0;
-  if (anchors.size() > kMostCleared) return places;
-  Sides cleared = sides;
-  clear_anchors(anchors, used, used.pitch, along, cleared, context);
-  std::vector<Vec2> at = places_of(anchors.size(), cleared);
-  if (!any_crossing(anchors, at)) places.at = std::move(at);
+  lean(anchors, drawing, used.pitch, sides_of(drawing, frame, used, share->corners), *share);
+  Placed placed = place_by(*share, anchors, drawing, frame, used, costs, context);
+  share_otherwise(*share, anchors, drawing, frame, used, costs, context, placed);
+  places.at = std::move(placed.at);
+  places.swaps = placed.swaps;
+  places.unfinished = placed.unfinished;
   return places;
 }
 

@@ -123,6 +123,19 @@ void leave_out_under(const SectionMark& mark, Drawing& sheet) {
 
 }  // namespace
 
+std::vector<std::vector<Vec2>> lines_of(const SectionMark& mark, const CalloutOptions& style) {
+  const double h = style.height;
+  const std::size_t last = mark.course.size() - 1;
+  std::vector<std::vector<Vec2>> lines{mark.course};
+  for (const auto& [end, next] : {std::pair(mark.course[0], mark.course[1]),
+                                  std::pair(mark.course[last], mark.course[last - 1])}) {
+    lines.push_back({end, end - kShaft * h * mark.sight});
+    const Box2 letter = text_box(letter_at(end, glm::normalize(next - end), mark, h));
+    lines.push_back({letter.min, {letter.max.x, letter.min.y}, letter.max, letter.min});
+  }
+  return lines;
+}
+
 SectionReach section_reach(const CalloutOptions& style) {
   const double letter = 1.2 * style.height;  // no letter is wider
   return {.beyond = kOut + kEnd * style.height, .along = kBeside * style.height + letter};

@@ -21,24 +21,44 @@ namespace {
 /// Parts that a message names.
 constexpr std::size_t kNamed = 3;
 
+/// Lines of sections and details that are laid over a view when all are drawn.
+std::vector<std::vector<Vec2>> lines_over(const PlacedView& view, const SheetOfViews& sheet,
+                                          const CalloutOptions& style) {
+  std::vector<std::vector<Vec2>> lines;
+  const auto add = [&](std::vector<Vec2> line) {
+    if (view.box.contains(line.front())) lines.push_back(std::move(line));
+  };
+  for (const SectionMark& mark : sheet.section_marks) {
+    for (std::vector<Vec2>& line : lines_of(mark, style)) add(std::move(line));
+  }
+  for (const DetailMark& mark : sheet.details) add(line_of(mark));
+  return lines;
+}
+
 /// What of the options holds for one view of several.
-IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
+IllustrateOptions options_of(const PlacedView& view, const SheetOfViews& sheet,
+                             const CalloutOptions& style, const IllustrateOptions& all) {
   IllustrateOptions options = all;
   options.magnified = view.magnified;
   options.view_name = view.name;
   options.dimensions = view.dimensions;
+  options.dimensions.over_it = lines_over(view, sheet, style);
   if (view.none_hidden) options.hidden = HiddenLines::None;
   if (view.within) {
     const auto& [center, radius] = *view.within;
     options.shown = {center - radius, center + radius};
     options.annotations.reset();
   }
+  options.dimensions.within = view.box;
   if (!options.annotations) return options;
   options.annotations->callouts = all.annotations->callouts && view.callouts;
   options.annotations->parts_list = false;  // one a sheet
   options.annotations->legend.clear();
   options.annotations->title_block.reset();
   options.annotations->margin = margin_about(view.box, view.camera.paper());
+  options.annotations->over_it = options.dimensions.over_it;
+  const Paper& paper = view.camera.paper();
+  options.dimensions.within = inside(paper, annotation_margin(*options.annotations, style, paper));
   return options;
 }
 
@@ -89,9 +109,8 @@ std::optional<Drawing> draw_opened(const Scene& scene, const PlacedView& view, c
 }
 
 Drawing draw_view(const Scene& whole_scene, const PlacedView& view, const Style& style,
-                  const IllustrateOptions& all, RunContext& context, Session& session) {
+                  IllustrateOptions options, RunContext& context, Session& session) {
   const Scene& scene = view.scene ? *view.scene : whole_scene;
-  IllustrateOptions options = options_of(view, all);
   if (!view.within) {
     const Camera camera = detail::whole_camera(scene, view, style, options);
     return session.draw(scene, camera, style, options, context);
@@ -150,8 +169,9 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& s
   std::optional<Drawing> all;
   std::vector<SheetView> views;
   for (const PlacedView& view : sheet.views) {
-    Drawing one = sheet.method ? draw_in_grid(scene, view, style, options, context, kept)
-                               : draw_view(scene, view, style, options, context, kept);
+    const IllustrateOptions here = options_of(view, sheet, style.callout, options);
+    Drawing one = sheet.method ? draw_in_grid(scene, view, style, here, context, kept)
+                               : draw_view(scene, view, style, here, context, kept);
     views.push_back(described(view, one));
     if (all) {
       append_view(*all, std::move(one));

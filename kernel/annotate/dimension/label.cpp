@@ -1,8 +1,6 @@
 #include <burin/annotate/label.h>
 #include <burin/drawing/font.h>
 
-#include "letters.h"
-
 #include <algorithm>
 #include <string>
 
@@ -26,6 +24,8 @@ std::vector<std::string> lines_of(std::string_view text) {
 Label text_label(std::string_view text, bool framed, const LabelPens& pens) {
   // Of the height of letters: from base line to base line (ISO 3098), and from letters to a frame.
   constexpr double kPitch = 1.6, kInFrame = 0.6, kBeside = 0.15;
+  // Tails of letters stay clear of the line below.
+  constexpr double kUnderTails = 0.45;
   const double h = pens.height;
   const std::vector<std::string> lines = lines_of(text);
   const double rows = static_cast<double>(lines.size() - 1);
@@ -33,7 +33,7 @@ Label text_label(std::string_view text, bool framed, const LabelPens& pens) {
   out.underlined = !framed && lines.size() == 1;
   out.ragged = !framed && lines.size() > 1;
   const Vec2 in = framed           ? Vec2(kInFrame * h)
-                  : out.underlined ? Vec2(kBeside, detail::kBelowText) * h
+                  : out.underlined ? Vec2(kBeside, kUnderTails) * h
                                    : Vec2(2 * kBeside * h, 0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     out.size.x = std::max(out.size.x, text_width(lines[i], h) + 2 * in.x);

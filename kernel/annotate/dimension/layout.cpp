@@ -18,6 +18,19 @@ double DimensionGround::taken_in(Vec2 way) const {
          std::max(way.y, 0.0) * taken.top + std::max(-way.y, 0.0) * taken.bottom;
 }
 
+namespace {
+
+/// Whether letters lie on a line.
+bool lies_on(const Quad& letters, const std::vector<Vec2>& line) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::array<Vec2, 2> piece{line[i - 1], line[i]};
+    if (overlap(letters, piece)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   // Paper mm: half a wide line, and as much again.
   constexpr double kOffOutline = 0.7;
@@ -36,9 +49,15 @@ Conflicts DimensionGround::conflicts(const DimensionPlace& place) const {
   }
   for (const PrintedPiece& piece : place.print.pieces) {
     for (const std::vector<Vec2>& line : beside) all.crossings += crossings_of(piece, line);
+    for (const std::vector<Vec2>& line : over_it) all.crossings += crossings_of(piece, line);
   }
   for (const Quad& letters : place.print.letters) {
     all.hard += overlap(grown(letters, kOffOutline), outline) ? 1 : 0;
+    const auto leaves = [&](Vec2 p) { return !within->contains(p); };
+    all.hard += within && std::ranges::any_of(letters, leaves) ? 1 : 0;
+    for (const std::vector<Vec2>& line : over_it) {
+      all.hard += lies_on(grown(letters, kOffOutline), line) ? 1 : 0;
+    }
     // Extension lines of an oblique view lean over the number between them.
     for (const PrintedPiece& piece : place.print.pieces) {
       const std::array<Vec2, 2> ends{piece.a, piece.b};
@@ -189,6 +208,8 @@ LaidDimensions lay_out(const ViewDimensions& dimensions, const PaperView& view,
                          outline_of(dimensions.about, beside, view),
                          std::move(beside),
                          dimensions.taken,
+                         dimensions.over_it,
+                         dimensions.within,
                          drawn};
   const std::vector<std::size_t> order = order_of(dimensions.list, view);
   constexpr std::size_t kMany = 40;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct DimensionGround {
   /// Lines that stand beside the parts.
   std::vector<std::vector<Vec2>> beside;
   Margin taken{0};
+  /// Lines that are laid over the drawing later, paper mm.
+  const std::vector<std::vector<Vec2>>& over_it;
+  /// What texts stand in.
+  std::optional<Box2> within;
   const Drawing* drawn = nullptr;
   /// In the order in which places are looked for; those before `own` stay nearer to the drawing.
   std::vector<DimensionPlace> laid = {};

@@ -141,13 +141,15 @@ class SheetPlanner {
     return broken.shortened(with_measured(extent(view), measured));
   }
 
-  /// Whether the circles about what is drawn again lie in the box of their view.
+  /// Whether the circles about what is drawn again lie in the box of their view, where no callouts
+  /// stand.
   bool circles_stay() const {
     const PlacedView& main = sheet_.views.front();
     return std::ranges::all_of(details_, [&](const detail::PlannedDetail& detail) {
       const Vec2 at = main.at(detail.at);
       const double radius = detail.radius * main.camera.scale_at(detail.at);
-      const Box2 &box = main.box, circle{at - radius, at + radius};
+      const Box2 box{main.box.min + callouts_, main.box.max - callouts_};
+      const Box2 circle{at - radius, at + radius};
       return box.contains(circle.min) && box.contains(circle.max);
     });
   }
@@ -193,7 +195,7 @@ class SheetPlanner {
   }
 
   void place_one() {
-    const Vec2 callouts = callout_capacity_of(illustration_, frame_.size());
+    callouts_ = callout_capacity_of(illustration_, frame_.size());
     const detail::BrokenAs broken = broken_as(illustration_.view);
     Margin room = broken.room();
     PlacedView view{"", Camera{}, frame_, {}, 1, {}, true, {}, measured_->of_view(0, Margin(0))};
@@ -201,8 +203,8 @@ class SheetPlanner {
     const Box3 shown = extent_of_it(detail::axes_of(illustration_.view));
     for (int round = 0; round < kMostRounds; ++round) {
       view.camera = in_box(illustration_.view,
-                           {frame_.min + callouts + Vec2(room.left, room.bottom),
-                            frame_.max - callouts - Vec2(room.right, room.top)},
+                           {frame_.min + callouts_ + Vec2(room.left, room.bottom),
+                            frame_.max - callouts_ - Vec2(room.right, room.top)},
                            extent_of_it);
       const double scale = view.camera.scale();
       const Margin needed = measured_->room(0, broken.moved(view.dimensions, scale), shown, scale);
@@ -243,6 +245,7 @@ class SheetPlanner {
       if (grid_views.size() == numbered) {
         const Vec2 side = callout_capacity_of(illustration_, 0.5 * frame.size());
         callouts = Margin(side.y, side.x, side.y, side.x);
+        if (numbered == 0) callouts_ = side;
         view.room = sum(view.room, callouts);
       }
       grid_views.push_back(std::move(view));
@@ -355,6 +358,8 @@ class SheetPlanner {
   Box2 frame_;
   std::optional<Box2> list_, legend_;
   bool with_circles_ = false;
+  /// Paper mm that callouts take on both sides of the first view.
+  Vec2 callouts_{0};
   std::vector<detail::PlannedDetail> details_;
   std::vector<detail::WantedView> views_;
   std::optional<detail::SheetDimensions> measured_;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,41 @@ TEST(NoteLayout, TwoHundredNotesHavePlaces) {
         note("n", {5 + 70.0 * ((7 * k) % 40) / 39, 5 + 40.0 * ((11 * k) % 40) / 39, 10}));
   }
   EXPECT_EQ(lay_out(about_plate(list), kTop, {}).notes.texts.size(), 200U);
+}
+
+/// The line of a section goes up from the drawing, where a note would stand.
+TEST(NoteLayout, KeepsOffLinesThatAreLaidOverTheDrawingLater) {
+  const auto lies_on_it = [](bool told) {
+    const std::vector<Vec2> line{{64, 0}, {64, 64}, {72, 64}};
+    ViewDimensions dimensions = about_plate({note("a note of some length", {40, 45, 10})});
+    if (told) dimensions.over_it.push_back(line);
+    const LaidDimensions laid = lay_out(dimensions, kTop, {});
+    const Box2 box = text_box(laid.notes.texts.at(0));
+    return !apart(box, Box2{{64, 0}, {64, 64}}) || !apart(box, Box2{{64, 64}, {72, 64}});
+  };
+  EXPECT_TRUE(lies_on_it(false));
+  EXPECT_FALSE(lies_on_it(true));
+}
+
+/// Another view begins beside the drawing.
+TEST(NoteLayout, StandsInWhatOtherViewsLeave) {
+  const auto right_end = [](std::optional<Box2> within) {
+    ViewDimensions dimensions = about_plate({note("of some length", {70, 25, 10})});
+    dimensions.within = within;
+    return text_box(lay_out(dimensions, kTop, {}).notes.texts.at(0)).max.x;
+  };
+  EXPECT_GT(right_end({}), 90);
+  EXPECT_LE(right_end(Box2{{-60, -40}, {90, 90}}), 90);
+}
+
+/// Tails of letters end above the shoulder of a leader.
+TEST(NoteLayout, TailsStandOverTheLeader) {
+  const Label label = text_label("jpg", false, {});
+  Box2 ink;
+  for (const auto& ring : text_outlines(label.texts.at(0), 0.01)) {
+    for (const Vec2& p : ring) ink.add(p);
+  }
+  EXPECT_GT(ink.min.y, label.shoulder + 0.1);
 }
 
 TEST(NoteLayout, SeveralTargetsShareAnElbow) {

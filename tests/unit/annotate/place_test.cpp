@@ -139,6 +139,24 @@ TEST(Callouts, ThatWouldStandOverTheDrawingTellHowLargeASheetKeepsItClear) {
   EXPECT_GT(places.lacking, 1);
 }
 
+/// A line of a dimension before the left side: numbers stand at the right, unless that is far.
+TEST(Callouts, StandWhereLeadersPassOverNothing) {
+  const CalloutSizes sizes(CalloutOptions{}, 9);
+  const std::vector<Vec2> anchors{{130, 60}, {130, 100}, {160, 70}, {160, 110}};
+  const auto on_the_left = [&](double bad) {
+    const LeaderCosts costs{.over = [bad](Vec2 from, Vec2 to) {
+      return segments_cross(from, to, {35, 0}, {35, 210}) ? bad : 0.0;
+    }};
+    const auto places = place_callouts(anchors, kDrawing, kFrame, sizes,
+                                       CalloutOptions::Layout::Columns, RunContext(), costs);
+    EXPECT_EQ(crossings(anchors, places.at), 0U);
+    return std::ranges::count_if(places.at, [](Vec2 p) { return p.x < kDrawing.min.x; });
+  };
+  EXPECT_EQ(on_the_left(0), 2);
+  EXPECT_EQ(on_the_left(0.1), 2);
+  EXPECT_EQ(on_the_left(3), 0);
+}
+
 TEST(Callouts, OfOneAnchorOrOfEqualOnesHavePlaces) {
   const CalloutSizes sizes(CalloutOptions{}, 9);
   const auto layout = CalloutOptions::Layout::Around;

@@ -41,6 +41,9 @@ struct Annotations {
   std::optional<TitleBlock> title_block = {};
   /// The empty border of the sheet, in which nothing of it stands.
   Margin margin{};
+  /// Lines that are laid over the drawing later, as of sections and details, paper mm: callouts
+  /// keep clear of them.
+  std::vector<std::vector<Vec2>> over_it = {};
   /// Width and height of what is drawn, in any unit; 0: not known. Tables are placed where they
   /// leave it the largest scale.
   Vec2 shape{0};

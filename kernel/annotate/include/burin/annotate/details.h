@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -21,6 +22,9 @@ struct DetailMark {
   /// Paper mm a model mm of what is drawn again.
   double scale = 1;
 };
+
+/// The circle of the place in the view, for what is laid out before it.
+std::vector<Vec2> line_of(const DetailMark& mark);
 
 /// Paper mm above a detail that its letter and scale need.
 double detail_caption(const CalloutOptions& style);

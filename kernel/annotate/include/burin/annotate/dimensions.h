@@ -109,6 +109,11 @@ struct ViewDimensions {
   std::vector<std::vector<Vec3>> beside = {};
   /// Paper mm beside it that something else takes, such as the line of a section.
   Margin taken{0};
+  /// Where that is known: lines that are laid over the drawing later, as of sections and details,
+  /// paper mm. No text lies on them.
+  std::vector<std::vector<Vec2>> over_it = {};
+  /// What other views and callouts leave for texts, paper mm.
+  std::optional<Box2> within = {};
 };
 
 /// An orthographic view: right, up and to the viewer, unit; paper mm a model mm; where the model's

@@ -38,20 +38,27 @@ struct CalloutPlaces {
   bool unfinished = false;
 };
 
-/// Paper mm of a line that run along the strokes of the drawing below it.
-using AlongStrokes = std::function<double(Vec2 from, Vec2 to)>;
+/// What a leader meets.
+struct LeaderCosts {
+  /// Paper mm of it that run along the strokes of the drawing below it.
+  std::function<double(Vec2 from, Vec2 to)> along = {};
+  /// Other annotations that it passes over; 1 is as bad as the anchor of another number.
+  std::function<double(Vec2 from, Vec2 to)> over = {};
+};
 
 /// Puts a number for each anchor on a rectangle about the drawing, inside `frame`: columns first,
 /// then rows, or as the layout has it. Any numbers change places while that makes their two leaders
 /// shorter in sum; at the end no two leaders cross, as a pair that crosses always gets shorter.
 /// Then they slide along their side towards their anchors (isotonic regression at the least pitch).
-/// Leaders that pass over another's anchor or run along strokes give way where that makes none
-/// cross. Numbers that have no room stand closer than the pitch, and `lacking` says how much larger
-/// the frame must be. Rounds are bounded; the same places for the same anchors. Throws Cancelled.
-/// Cost: 5 ms for 100 anchors. @cite Barlow1972
+/// Leaders that pass over another's anchor or other annotations, or run along strokes, give way
+/// where that makes none cross. Where leaders still pass over other annotations, numbers are shared
+/// otherwise between the two sides if that is better, up to 100 of them. Numbers that have no room
+/// stand closer than the pitch, and `lacking` says how much larger the frame must be. Rounds are
+/// bounded; the same places for the same anchors. Throws Cancelled. Cost: 5 ms for 100 anchors.
+/// @cite Barlow1972
 CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing, const Box2& frame,
                              const CalloutSizes& sizes, CalloutOptions::Layout layout,
-                             const RunContext& context, const AlongStrokes& along = {});
+                             const RunContext& context, const LeaderCosts& costs = {});
 
 /// How many numbers have their pitch on each side.
 struct CalloutCapacity {

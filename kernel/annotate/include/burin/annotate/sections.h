@@ -23,6 +23,9 @@ struct SectionMark {
   std::string letter;
 };
 
+/// The lines of a mark and the boxes of its letters, for what is laid out before them.
+std::vector<std::vector<Vec2>> lines_of(const SectionMark& mark, const CalloutOptions& style);
+
 /// The name over a section.
 struct SectionName {
   /// Paper mm: the box of what is drawn of it.
