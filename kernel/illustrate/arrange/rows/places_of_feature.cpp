@@ -10,7 +10,7 @@ constexpr std::size_t kPlaces = 512;
 /// Cosine: faces that are seen from their edge count.
 constexpr double kEdgeOn = -1e-6;
 
-Place middle_of(const TriMesh& mesh, std::uint32_t triangle) {
+SampledPlace middle_of(const TriMesh& mesh, std::uint32_t triangle) {
   const Triangle& t = mesh.triangles[triangle];
   return {(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0,
           mesh.normal(triangle)};
@@ -20,8 +20,8 @@ Place middle_of(const TriMesh& mesh, std::uint32_t triangle) {
 constexpr double kIn = 0.05;
 
 /// In a triangle beside one of its edges: an edge is seen where a face is seen that ends at it.
-Place beside_edge(const TriMesh& mesh, HalfEdge h) {
-  Place place = middle_of(mesh, face_of(h));
+SampledPlace beside_edge(const TriMesh& mesh, HalfEdge h) {
+  SampledPlace place = middle_of(mesh, face_of(h));
   const Vec3 edge =
       0.5 * (mesh.positions[origin(mesh, h)] + mesh.positions[origin(mesh, next_in_face(h))]);
   place.on_edge = edge;
@@ -30,8 +30,8 @@ Place beside_edge(const TriMesh& mesh, HalfEdge h) {
 }
 
 /// In the corners of a triangle and beside its edges: of a wall all but a corner may be hidden.
-void add_border_of(const TriMesh& mesh, std::uint32_t triangle, std::vector<Place>& out) {
-  const Place middle = middle_of(mesh, triangle);
+void add_border_of(const TriMesh& mesh, std::uint32_t triangle, std::vector<SampledPlace>& out) {
+  const SampledPlace middle = middle_of(mesh, triangle);
   for (int k = 0; k < 3; ++k) {
     const HalfEdge h = static_cast<HalfEdge>(3 * triangle) + k;
     out.push_back(beside_edge(mesh, h));
@@ -41,8 +41,9 @@ void add_border_of(const TriMesh& mesh, std::uint32_t triangle, std::vector<Plac
 
 /// Of a face its triangles, and what a section cut open at its borders; of a plane that is seen
 /// from behind what is turned to the viewer beyond its borders.
-std::vector<Place> places_of_face(const ProxyMesh& proxy, const Feature& feature, Vec3 to_viewer) {
-  std::vector<Place> out;
+std::vector<SampledPlace> places_of_face(const ProxyMesh& proxy, const Feature& feature,
+                                         Vec3 to_viewer) {
+  std::vector<SampledPlace> out;
   const bool from_behind =
       feature.kind == FeatureKind::Plane && glm::dot(feature.along, to_viewer) < kEdgeOn;
   const auto is_of_it = [&](std::uint32_t i) {
@@ -51,7 +52,7 @@ std::vector<Place> places_of_face(const ProxyMesh& proxy, const Feature& feature
   const auto add_beyond = [&](HalfEdge h) {
     const HalfEdge opposite = proxy.topology.opposite[static_cast<std::size_t>(h)];
     if (opposite == kNoHalfEdge || is_of_it(face_of(opposite))) return;
-    const Place place = beside_edge(proxy.mesh, opposite);
+    const SampledPlace place = beside_edge(proxy.mesh, opposite);
     const bool turned_to = from_behind && glm::dot(place.normal, to_viewer) > -kEdgeOn;
     if (turned_to || proxy.is_cut(face_of(opposite))) out.push_back(place);
   };
@@ -75,10 +76,10 @@ bool is_of_feature(const ProxyMesh& proxy, std::uint32_t triangle, const SeenFea
 
 namespace {
 
-std::vector<Place> places_of(const SeenFeature& seen, Vec3 to_viewer) {
+std::vector<SampledPlace> places_of(const SeenFeature& seen, Vec3 to_viewer) {
   const ProxyMesh& proxy = seen.surface.proxy();
   if (seen.kind == FeatureRow::Kind::Face) return places_of_face(proxy, seen.feature, to_viewer);
-  std::vector<Place> out;
+  std::vector<SampledPlace> out;
   if (seen.kind == FeatureRow::Kind::Part) {
     for (std::uint32_t i = 0; i < proxy.mesh.triangles.size(); ++i) {
       out.push_back(middle_of(proxy.mesh, i));
@@ -94,10 +95,10 @@ std::vector<Place> places_of(const SeenFeature& seen, Vec3 to_viewer) {
 
 }  // namespace
 
-std::vector<Place> sampled_places(const SeenFeature& seen, Vec3 to_viewer) {
-  const std::vector<Place> places = places_of(seen, to_viewer);
+std::vector<SampledPlace> sampled_places(const SeenFeature& seen, Vec3 to_viewer) {
+  const std::vector<SampledPlace> places = places_of(seen, to_viewer);
   const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
-  std::vector<Place> out;
+  std::vector<SampledPlace> out;
   for (std::size_t k = 0; k < places.size(); k += step) {
     if (glm::dot(places[k].normal, to_viewer) >= kEdgeOn) out.push_back(places[k]);
   }

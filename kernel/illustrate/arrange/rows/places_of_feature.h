@@ -12,7 +12,7 @@
 namespace burin::detail {
 
 /// A place of a surface, and its normal there; of an edge the point of it beside that.
-struct Place {
+struct SampledPlace {
   Vec3 at{0}, normal{0}, on_edge{0};
 };
 
@@ -21,6 +21,6 @@ bool is_of_feature(const ProxyMesh& proxy, std::uint32_t triangle, const SeenFea
 
 /// Those that are turned to the viewer, of 1024 at the most: of a face its triangles, of an edge
 /// what lies beside it.
-std::vector<Place> sampled_places(const SeenFeature& seen, Vec3 to_viewer);
+std::vector<SampledPlace> sampled_places(const SeenFeature& seen, Vec3 to_viewer);
 
 }  // namespace burin::detail

@@ -55,7 +55,7 @@ bool FeatureSight::shows_place(Vec3 on_surface, Vec3 way, Vec3 to_viewer) const 
 
 bool FeatureSight::shows(const SeenFeature& seen, Vec3 to_viewer) const {
   if (seen.kind == FeatureRow::Kind::Point) return true;
-  return std::ranges::any_of(sampled_places(seen, to_viewer), [&](const Place& place) {
+  return std::ranges::any_of(sampled_places(seen, to_viewer), [&](const SampledPlace& place) {
     return shows_place(place.at + seen.moved, place.normal, to_viewer);
   });
 }

@@ -151,7 +151,7 @@ std::vector<SeenPlace> FeatureSight::places_by_triangles(const SeenFeature& seen
   constexpr double kSlanted = 0.3;
   const bool line = seen.kind == FeatureRow::Kind::Face && seen.feature.kind == FeatureKind::Plane;
   const double least = line ? -1 : kSlanted;
-  for (const Place& place : sampled_places(seen, to_viewer)) {
+  for (const SampledPlace& place : sampled_places(seen, to_viewer)) {
     if (glm::dot(place.normal, to_viewer) <= least) continue;
     if (!shows_place(place.at + seen.moved, place.normal, to_viewer)) continue;
     all.push_back({(edge ? place.on_edge : place.at) + seen.moved, 0});
