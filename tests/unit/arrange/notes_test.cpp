@@ -98,6 +98,21 @@ TEST_F(Notes, SayWhereWhatTheyPointAtIsHidden) {
       "note 1 is not drawn: what it points at is hidden in the view front: add top to `views`");
 }
 
+TEST_F(Notes, PointAtTheRimOfAHoleThatIsSeenAlongItsAxis) {
+  begin(
+      {"plate", "a.step",
+       test::brep_form(BRepAlgoAPI_Cut(
+           BRepPrimAPI_MakeBox(80, 50, 10).Shape(),
+           BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 15, -1), gp_Dir(0, 0, 1)), 8, 20).Shape()))});
+  plan_.views = {"top"};
+  note("reamed", {at({28, 15, 5})});
+  const std::vector<Dimension> list = in("top");
+  ASSERT_EQ(list.size(), 1U);
+  for (const Vec3& p : list[0].targets.at(0).tips) {
+    EXPECT_NEAR(glm::distance(Vec2(p), Vec2(20, 15)), 8, 0.05);
+  }
+}
+
 /// What stands exactly behind something of its own outline is hidden.
 TEST_F(Notes, AreNotAtPartsBehindEqualOnes) {
   begin({"plate", "a.step", test::brep_form(BRepPrimAPI_MakeBox(80, 50, 10).Shape())});

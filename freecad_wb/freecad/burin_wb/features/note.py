@@ -36,7 +36,7 @@ def said(one, found, parts):
         row["at"] = at[0] if len(at) == 1 else at
     if one.Place.Length > 0:
         row["place"] = [one.Place.x, one.Place.y]
-    if one.Frame:
+    if one.Frame and not one.Symbol:  # a symbol has its own outline
         row["frame"] = True
     if one.Mark != "Auto":
         row["mark"] = one.Mark.lower()

@@ -146,10 +146,14 @@ std::vector<SeenPlace> FeatureSight::places_by_triangles(const SeenFeature& seen
                                                          Vec3 to_viewer) const {
   std::vector<SeenPlace> all;
   const bool edge = seen.kind == FeatureRow::Kind::Edge;
-  // A flat face that is seen from its edge is a line. What is round or has more than one face is
-  // seen elsewhere too, or something of the same outline stands before it.
+  // A flat face that is seen from its edge is a line, and so is a wall that is seen along its axis.
+  // What else is round or has more than one face is seen elsewhere too, or something of the same
+  // outline stands before it.
   constexpr double kSlanted = 0.3;
-  const bool line = seen.kind == FeatureRow::Kind::Face && seen.feature.kind == FeatureKind::Plane;
+  constexpr double kAlong = 1 - 1e-6;
+  const Feature& f = seen.feature;
+  const bool wall = f.has_axis() && std::abs(glm::dot(f.along, to_viewer)) > kAlong;
+  const bool line = seen.kind == FeatureRow::Kind::Face && (f.kind == FeatureKind::Plane || wall);
   const double least = line ? -1 : kSlanted;
   for (const SampledPlace& place : sampled_places(seen, to_viewer)) {
     if (glm::dot(place.normal, to_viewer) <= least) continue;
