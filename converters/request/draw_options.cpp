@@ -139,6 +139,16 @@ std::vector<RequestRow<Draft>> run_rows() {
 
 }  // namespace
 
+std::pair<std::string, std::string> name_and_value(const std::string& spelled,
+                                                   const std::string& takes,
+                                                   const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    refuse_value(spelled, takes, text);
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;

@@ -6,6 +6,7 @@
 #include "style_files.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace burin::detail {
@@ -28,6 +29,12 @@ inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,
 /// The heading of options about parts.
 inline constexpr const char* kParts = "Parts";
 inline constexpr const char* kSheet = "The sheet and the view";
+
+/// Parts and what is said of them, "NAME=VALUE"; selectors may have the sign, too:
+/// @color=#ff0000=VALUE. Throws UsageError with what the option takes where one of both is missing.
+std::pair<std::string, std::string> name_and_value(const std::string& spelled,
+                                                   const std::string& takes,
+                                                   const std::string& text);
 
 const std::vector<RequestRow<Draft>>& draw_rows();
 /// Of them, those about the look, of all and of parts, about sections, about the view and about the

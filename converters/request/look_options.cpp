@@ -88,14 +88,11 @@ void refuse_color(const Asked& asked, const std::string& parts, const std::strin
 void set_looks(Draft& draft, const Asked& asked) {
   for (const std::string& text : asked.texts) {
     refuse_key(asked, text);
-    const std::size_t equals = text.rfind('=');  // selectors may have one: @color=#ff0000
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-      refuse_value(asked.spelled, "NAME=STYLE", text);
-    }
-    refuse_color(asked, text.substr(0, equals), text.substr(equals + 1));
-    draft.looks.push_back({.look = {.select = {text.substr(0, equals)},
-                                    .asked = fmt::format("{} '{}'", asked.spelled, text)},
-                           .style = text.substr(equals + 1)});
+    const auto [name, style] = name_and_value(asked.spelled, "NAME=STYLE", text);
+    refuse_color(asked, name, style);
+    draft.looks.push_back(
+        {.look = {.select = {name}, .asked = fmt::format("{} '{}'", asked.spelled, text)},
+         .style = style});
   }
 }
 

@@ -6,12 +6,8 @@
 namespace burin::detail {
 
 ThreadRow thread_option(const std::string& spelled, const std::string& text) {
-  const std::size_t equals = text.rfind('=');  // selectors may have one: @color=#ff0000
-  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    refuse_value(spelled, "NAME=SIZE, as screw*=M6", text);
-  }
-  ThreadRow row{
-      .select = {text.substr(0, equals)}, .size = text.substr(equals + 1), .place = spelled + ": "};
+  const auto [name, size] = name_and_value(spelled, "NAME=SIZE, as screw*=M6", text);
+  ThreadRow row{.select = {name}, .size = size, .place = spelled + ": "};
   check_thread_row(row);
   return row;
 }

@@ -61,6 +61,15 @@ class CliTest : public ::testing::Test {
     return status;
   }
 
+  /// What drawing an illustration of this text is refused with: one line that names its third.
+  std::string refused_illustration(const std::string& text) {
+    folder_.write("a.burin.json", text);
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << text;
+    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    return err_;
+  }
+
   /// That the last run said one line of error that holds `part`.
   void expect_error(const std::string& part) const {
     EXPECT_TRUE(err_.starts_with("burin: error: ")) << err_;

@@ -29,13 +29,7 @@ class NotesOfDrawings : public test::CliTest {
 "notes": [)" +
            rows + "]}";
   }
-  std::string refused(const std::string& rows) {
-    folder_.write("a.burin.json", illustration(rows));
-    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << rows;
-    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
-    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
-    return err_;
-  }
+  std::string refused(const std::string& rows) { return refused_illustration(illustration(rows)); }
 };
 
 TEST_F(NotesOfDrawings, AreWordsWithALeaderToTheirPart) {
@@ -105,11 +99,7 @@ class ArrowsOfDrawings : public NotesOfDrawings {
     return names;
   }
   std::string refused_arrow(const std::string& row) {
-    folder_.write("a.burin.json", with_arrows(row));
-    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << row;
-    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
-    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
-    return err_;
+    return refused_illustration(with_arrows(row));
   }
 };
 

@@ -35,13 +35,7 @@ class ThreadsOfDrawings : public test::CliTest {
            rows + "]}";
   }
   /// What an illustration with these rows is refused with.
-  std::string refused(const std::string& rows) {
-    folder_.write("a.burin.json", illustration(rows));
-    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << rows;
-    EXPECT_NE(err_.find("a.burin.json:3: "), std::string::npos) << err_;
-    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
-    return err_;
-  }
+  std::string refused(const std::string& rows) { return refused_illustration(illustration(rows)); }
 };
 
 TEST_F(ThreadsOfDrawings, AreALayerOfThinLinesAtTheMinorDiameter) {

@@ -3,7 +3,7 @@
 #include <burin/drawing/color.h>
 
 #include "arrow_option.h"
-#include "feature_rows.h"
+#include "key_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,42 +15,9 @@
 namespace burin::detail {
 namespace {
 
-constexpr std::size_t kMostArrows = 1000;
 constexpr double kLongestArrow = 1e9;  // model mm
 /// The ends of a longer turn would lie on each other.
 constexpr double kMostDegrees = 340;
-
-/// A direction, or a place where `place` is true.
-KeyRow<ArrowRow> vector_row(const char* name, const char* meaning,
-                            std::optional<Vec3> ArrowRow::*member, bool place) {
-  return {.name = name,
-          .schema = vector_of(meaning),
-          .read =
-              [member, place](const KeyedFile& in, const Json& value, const std::string& path,
-                              ArrowRow& to) {
-                to.*member = place ? in.vector(value, path) : way_of(in, value, path);
-              },
-          .write =
-              [member](const ArrowRow& from) {
-                return from.*member ? vector_json(*(from.*member)) : Json();
-              }};
-}
-
-KeyRow<ArrowRow> arrow_length_row(const char* name, const char* meaning,
-                                  std::optional<double> ArrowRow::*member) {
-  return {
-      .name = name,
-      .schema = {{"description", meaning},
-                 {"type", "number"},
-                 {"exclusiveMinimum", 0},
-                 {"maximum", kLongestArrow}},
-      .read =
-          [member](const KeyedFile& in, const Json& value, const std::string& path, ArrowRow& to) {
-            to.*member = in.within(value, path, 1e-9, kLongestArrow, "mm over 0");
-          },
-      .write =
-          [member](const ArrowRow& from) { return from.*member ? Json(*(from.*member)) : Json(); }};
-}
 
 std::string read_color(const KeyedFile& in, const Json& value, const std::string& path) {
   const std::string given = in.text(value, path);
@@ -97,9 +64,10 @@ const std::vector<KeyRow<ArrowRow>>& arrow_key_rows() {
        .write = [](const ArrowRow& from) { return from.behind ? Json(true) : Json(); }},
       vector_row("from", "a point of the model, where it begins", &ArrowRow::from, true),
       vector_row("to", "where it ends", &ArrowRow::to, true),
-      arrow_length_row("length", "model mm (default: by the size of the drawing)",
-                       &ArrowRow::length),
-      arrow_length_row("width", "model mm (default: by the size of the drawing)", &ArrowRow::width),
+      positive_row("length", "model mm (default: by the size of the drawing)", &ArrowRow::length,
+                   kLongestArrow),
+      positive_row("width", "model mm (default: by the size of the drawing)", &ArrowRow::width,
+                   kLongestArrow),
       {.name = "color",
        .schema = text("its fill, #rrggbb or a name (default: none)"),
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
@@ -134,11 +102,10 @@ ArrowRow read_arrow(const KeyedFile& in, const Json& value, const std::string& p
 
 ArrowRow arrow_option(const std::string& spelled, const std::string& text) {
   constexpr const char* kTakes = "NAME=X,Y,Z, as cover=0,0,1";
-  const std::size_t equals = text.rfind('=');  // selectors may have one: @color=#ff0000
-  if (equals == std::string::npos || equals == 0) refuse_value(spelled, kTakes, text);
+  const auto [name, given] = name_and_value(spelled, kTakes, text);
   double way[3];
-  if (!parse_list(text.substr(equals + 1), way)) refuse_value(spelled, kTakes, text);
-  ArrowRow row{.select = {text.substr(0, equals)}, .along = Vec3(way[0], way[1], way[2])};
+  if (!parse_list(given, way)) refuse_value(spelled, kTakes, text);
+  ArrowRow row{.select = {name}, .along = Vec3(way[0], way[1], way[2])};
   row.place = spelled + ": ";
   if (!(glm::length(*row.along) > 0)) refuse_value(spelled, kTakes, text);
   return row;
@@ -177,26 +144,23 @@ std::vector<RequestRow<Draft>> arrow_rows() {
 
 void take_arrows(const KeyedFile& in, const Json& value, const std::string& path,
                  IllustrationFile& out) {
-  const Json list = value.is_array() ? value : Json::array({value});
-  if (list.size() > kMostArrows) in.fail(path, "\"arrows\" takes 1000 rows at the most");
   out.request.arrows.clear();
   out.request.options.erase("arrows");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string at = value.is_array() ? fmt::format("{}/{}", path, i) : path;
-    if (list[i].is_object()) {
-      out.request.arrows.push_back(read_arrow(in, list[i], at));
-      continue;
+  for_rows(in, value, path, [&](const Json& row, const std::string& at) {
+    if (row.is_object()) {
+      out.request.arrows.push_back(read_arrow(in, row, at));
+      return;
     }
-    const std::string word = in.text(list[i], at);
+    const std::string word = in.text(row, at);
     if (word.find('=') == std::string::npos) {
       in.check(draw_rows(), "arrows", {word}, at, "arrows");
       out.request.options["arrows"] = {word};
-      continue;
+      return;
     }
     in.check(draw_rows(), "arrow", {word}, at, "arrows");
     out.request.arrows.push_back(arrow_option("arrows", word));
     out.request.arrows.back().place = in.place(at);
-  }
+  });
 }
 
 Json arrows_schema() {
@@ -206,7 +170,7 @@ Json arrows_schema() {
                    Json{{"required", {"from", "to"}}}});
   Json schema = one_or_list_of(
       {{"anyOf", {text("steps, or parts and a way, as cover=0,0,1"), std::move(row)}}});
-  schema["anyOf"][1]["maxItems"] = kMostArrows;
+  schema["anyOf"][1]["maxItems"] = kMostRows;
   return schema;
 }
 

@@ -21,7 +21,6 @@ constexpr std::array kKinds{Kind::Distance, Kind::Diameter, Kind::Radius,
                             Kind::Angle,    Kind::Depth,    Kind::Thread};
 constexpr std::array kUnits{"mm", "cm", "m", "inch"};
 constexpr std::array kSigns{"point", "comma"};
-constexpr std::size_t kMostRows = 1000;
 
 bool has_list(Kind kind) { return kind == Kind::Distance || kind == Kind::Angle; }
 /// Of an angle one may do: that of a cone.
@@ -145,14 +144,8 @@ const std::vector<KeyRow<DimensionRow>>& dimension_rows() {
   static const std::vector<KeyRow<DimensionRow>> rows = [] {
     std::vector<KeyRow<DimensionRow>> all = kind_rows();
     const std::vector<KeyRow<DimensionRow>> others = {
-        {.name = "along",
-         .schema = vector_of("a distance is measured in this direction"),
-         .read = [](const KeyedFile& in, const Json& value, const std::string& path,
-                    DimensionRow& to) { to.along = way_of(in, value, path); },
-         .write =
-             [](const DimensionRow& from) {
-               return from.along ? vector_json(*from.along) : Json();
-             }},
+        vector_row("along", "a distance is measured in this direction", &DimensionRow::along,
+                   false),
         {.name = "supplement",
          .schema = flag("the angle beside that between the features"),
          .read = [](const KeyedFile& in, const Json& value, const std::string& path,
@@ -260,24 +253,21 @@ void check_braces(const KeyedFile& in, const std::string& text, const std::strin
 
 void take_dimensions(const KeyedFile& in, const Json& value, const std::string& path,
                      IllustrationFile& out) {
-  const Json list = value.is_array() ? value : Json::array({value});
-  if (list.size() > kMostRows) in.fail(path, "\"dimensions\" takes 1000 rows at the most");
   out.request.dimensions.clear();
   out.request.options.erase("dimensions");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string at = value.is_array() ? fmt::format("{}/{}", path, i) : path;
-    if (list[i].is_object()) {
-      out.request.dimensions.push_back(dimension(in, list[i], at));
-      continue;
+  for_rows(in, value, path, [&](const Json& row, const std::string& at) {
+    if (row.is_object()) {
+      out.request.dimensions.push_back(dimension(in, row, at));
+      return;
     }
-    if (!list[i].is_string()) {
+    if (!row.is_string()) {
       in.fail(at,
               "\"dimensions\" takes \"overall\" and rows such as {\"diameter\": [58, 30.5, 5]}");
     }
-    const std::string word = in.text(list[i], at);
+    const std::string word = in.text(row, at);
     in.check(draw_rows(), "dimensions", {word}, at, "dimensions");
     out.request.options["dimensions"] = {word};
-  }
+  });
 }
 
 Json dimensions_schema() {

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,55 @@ Json object_schema(const std::vector<KeyRow<T>>& rows) {
   Json schema = object_of(std::move(properties));
   if (!required.empty()) schema["required"] = std::move(required);
   return schema;
+}
+
+/// A direction, or a place of the model where `place` is true; not written where it is absent.
+template <class T>
+KeyRow<T> vector_row(const char* name, const char* meaning, std::optional<Vec3> T::*member,
+                     bool place) {
+  return {
+      .name = name,
+      .schema = vector_of(meaning),
+      .read = [member, place](
+                  const KeyedFile& in, const Json& value, const std::string& path,
+                  T& to) { to.*member = place ? in.vector(value, path) : way_of(in, value, path); },
+      .write =
+          [member](const T& from) {
+            const std::optional<Vec3>& v = from.*member;
+            return v ? Json{v->x, v->y, v->z} : Json();
+          }};
+}
+
+/// A length over 0 and up to `most`, model mm; not written where it is absent.
+template <class T>
+KeyRow<T> positive_row(const char* name, const char* meaning, std::optional<double> T::*member,
+                       double most) {
+  constexpr double kLeast = 1e-9;
+  return {
+      .name = name,
+      .schema = {{"description", meaning},
+                 {"type", "number"},
+                 {"minimum", kLeast},
+                 {"maximum", most}},
+      .read = [member, most](
+                  const KeyedFile& in, const Json& value, const std::string& path,
+                  T& to) { to.*member = in.within(value, path, kLeast, most, "mm over 0"); },
+      .write = [member](const T& from) { return from.*member ? Json(*(from.*member)) : Json(); }};
+}
+
+/// Rows that a list may have.
+inline constexpr std::size_t kMostRows = 1000;
+
+/// Calls `take(row, path of the row)` for each row of a list, or for the one that stands in its
+/// place. Throws UsageError where the list is longer than `kMostRows`.
+template <class Take>
+void for_rows(const KeyedFile& in, const Json& value, const std::string& path, const Take& take) {
+  if (!value.is_array()) return take(value, path);
+  if (value.size() > kMostRows) {
+    in.fail(path, fmt::format("\"{}\" takes {} rows at the most", path.substr(path.rfind('/') + 1),
+                              kMostRows));
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) take(value[i], fmt::format("{}/{}", path, i));
 }
 
 /// A flag; not written where it is absent.

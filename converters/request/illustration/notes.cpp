@@ -20,7 +20,6 @@ namespace {
 using Mark = LeaderTarget::Mark;
 
 constexpr std::array kMarks{"auto", "dot", "arrow", "none"};
-constexpr std::size_t kMostRows = 1000;
 
 /// Text that may be empty.
 Json words(const char* what) { return {{"description", what}, {"type", "string"}}; }
@@ -76,7 +75,7 @@ std::vector<KeyRow<DimensionRow>> own_rows() {
        .write = [](const DimensionRow& from) { return from.framed ? Json(true) : Json(); }},
       {.name = "mark",
        .schema =
-           words_schema("the end of its leaders (default: a dot where there is room)", kMarks),
+           words_schema("the end of its leaders (default: a dot where there is space)", kMarks),
        .read =
            [](const KeyedFile& in, const Json& value, const std::string& path, DimensionRow& to) {
              to.mark = static_cast<Mark>(word_of(in, value, path, kMarks));
@@ -89,7 +88,7 @@ std::vector<KeyRow<DimensionRow>> own_rows() {
       {.name = "place",
        .schema = {{"description",
                    "[x, y], its lower left corner, mm from that of the sheet (default: beside the "
-                   "drawing, where there is room)"},
+                   "drawing, where there is space)"},
                   {"type", "array"},
                   {"items", {{"type", "number"}}},
                   {"minItems", 2},
@@ -148,9 +147,8 @@ KeyRow<DimensionRow> symbol_option_row(const std::string& symbol, const Declared
               [symbol, declared](const DimensionRow& from) {
                 const OptionValue value = value_of(from.symbol_values, symbol, declared);
                 if (value == declared.fallback) return Json();
-                const std::string text = value_text(declared.option, value);
-                const Json parsed = Json::parse(text, nullptr, false);
-                return parsed.is_discarded() ? Json(text) : parsed;
+                return written_value({.option = declared.option, .group = {}},
+                                     value_text(declared.option, value));
               }};
 }
 
@@ -273,11 +271,10 @@ std::vector<RequestRow<Draft>> note_rows() {
 void take_notes(const KeyedFile& in, const Json& value, const std::string& path,
                 IllustrationFile& out) {
   in.check_array(value, path);
-  if (value.size() > kMostRows) in.fail(path, "\"notes\" takes 1000 rows at the most");
   out.request.notes.clear();
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    out.request.notes.push_back(read_note(in, value[i], fmt::format("{}/{}", path, i)));
-  }
+  for_rows(in, value, path, [&](const Json& row, const std::string& at) {
+    out.request.notes.push_back(read_note(in, row, at));
+  });
 }
 
 Json notes_schema() {

@@ -8,23 +8,6 @@
 namespace burin::detail {
 namespace {
 
-KeyRow<ThreadRow> length_row(const char* name, const char* meaning,
-                             std::optional<double> ThreadRow::*member) {
-  return {
-      .name = name,
-      .schema = {{"description", meaning},
-                 {"type", "number"},
-                 {"minimum", 1e-9},
-                 {"maximum", kLarge}},
-      .read =
-          [member](const KeyedFile& in, const Json& value, const std::string& path,
-                   ThreadRow& row) {
-            row.*member = in.within(value, path, 1e-9, kLarge, "mm over 0");
-          },
-      .write =
-          [member](const ThreadRow& row) { return row.*member ? Json(*(row.*member)) : Json(); }};
-}
-
 const std::vector<KeyRow<ThreadRow>>& thread_key_rows() {
   static const std::vector<KeyRow<ThreadRow>> rows = {
       {.name = "select",
@@ -36,14 +19,8 @@ const std::vector<KeyRow<ThreadRow>>& thread_key_rows() {
       text_row("size",
                "M6, M6x0.75, 1/4 UNC; of others any text, beside \"diameter\" and \"pitch\"",
                &ThreadRow::size),
-      {.name = "at",
-       .schema = vector_of("of several cylinders the one next to this point, model mm"),
-       .read = [](const KeyedFile& in, const Json& value, const std::string& path,
-                  ThreadRow& row) { row.at = in.vector(value, path); },
-       .write =
-           [](const ThreadRow& row) {
-             return row.at ? Json{row.at->x, row.at->y, row.at->z} : Json();
-           }},
+      vector_row("at", "of several cylinders the one next to this point, model mm", &ThreadRow::at,
+                 true),
       {.name = "face",
        .schema = {{"description", "of several cylinders the one with this number of a face"},
                   {"type", "integer"},
@@ -55,10 +32,12 @@ const std::vector<KeyRow<ThreadRow>>& thread_key_rows() {
              row.face = static_cast<std::int32_t>(given);
            },
        .write = [](const ThreadRow& row) { return row.face ? Json(*row.face) : Json(); }},
-      length_row("diameter", "nominal, model mm; default: by \"size\"", &ThreadRow::diameter),
-      length_row("pitch", "model mm; default: that of a coarse thread of ISO 261",
-                 &ThreadRow::pitch),
-      length_row("minor", "minor diameter, model mm; default: that of ISO 724", &ThreadRow::minor),
+      positive_row("diameter", "nominal, model mm; default: by \"size\"", &ThreadRow::diameter,
+                   kLarge),
+      positive_row("pitch", "model mm; default: that of a coarse thread of ISO 261",
+                   &ThreadRow::pitch, kLarge),
+      positive_row("minor", "minor diameter, model mm; default: that of ISO 724", &ThreadRow::minor,
+                   kLarge),
       {.name = "start",
        .schema = {{"description", "model mm from the open end (next to \"at\")"},
                   {"type", "number"},
@@ -67,7 +46,8 @@ const std::vector<KeyRow<ThreadRow>>& thread_key_rows() {
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
                   ThreadRow& row) { row.start = in.within(value, path, 0, kLarge, "mm from 0"); },
        .write = [](const ThreadRow& row) { return row.start > 0 ? Json(row.start) : Json(); }},
-      length_row("length", "model mm; default: as far as the cylinder goes", &ThreadRow::length),
+      positive_row("length", "model mm; default: as far as the cylinder goes", &ThreadRow::length,
+                   kLarge),
   };
   return rows;
 }

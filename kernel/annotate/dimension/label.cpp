@@ -13,13 +13,22 @@ std::vector<std::string> lines_of(std::string_view text) {
     if (c == '\n') {
       lines.emplace_back();
     } else if (c != '\r') {
-      lines.back() += c == '\t' ? ' ' : c;
+      lines.back() += c;
     }
   }
   return lines;
 }
 
 }  // namespace
+
+void move(Label& label, Vec2 by) {
+  const auto move_points = [&](std::vector<Vec2>& points) {
+    for (Vec2& p : points) p += by;
+  };
+  for (Path& path : label.paths) move_points(path.points);
+  for (Area& area : label.areas) std::ranges::for_each(area.rings, move_points);
+  for (Text& text : label.texts) text.at += by;
+}
 
 Label text_label(std::string_view text, bool framed, const LabelPens& pens) {
   // Of the height of letters: from base line to base line (ISO 3098), and from letters to a frame.

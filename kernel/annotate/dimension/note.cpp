@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -43,20 +44,11 @@ class LaidLabel {
 
   /// By its lower left corner.
   void at(Vec2 low, DimensionPlace& out) const {
-    for (Path path : label_.paths) {
-      for (Vec2& p : path.points) p += low;
-      out.layer.paths.push_back(std::move(path));
-    }
-    for (Area area : label_.areas) {
-      for (std::vector<Vec2>& ring : area.rings) {
-        for (Vec2& p : ring) p += low;
-      }
-      out.areas.push_back(std::move(area));
-    }
-    for (Text text : label_.texts) {
-      text.at += low;
-      out.layer.texts.push_back(std::move(text));
-    }
+    Label label = label_;
+    move(label, low);
+    std::ranges::move(label.paths, std::back_inserter(out.layer.paths));
+    std::ranges::move(label.areas, std::back_inserter(out.areas));
+    std::ranges::move(label.texts, std::back_inserter(out.layer.texts));
     // What is written in lines needs more room above and below than a number.
     const Vec2 room = kAround * style_.height * Vec2(1);
     out.print.letters.push_back(

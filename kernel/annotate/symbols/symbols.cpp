@@ -4,6 +4,7 @@
 #include "own_symbols.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -29,9 +30,7 @@ const SymbolKind* find_symbol(std::string_view name) {
 void add(SymbolKind kind) { all_symbols().add(std::move(kind)); }
 
 std::string detail::in_one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\t') c = ' ';
-  }
+  std::ranges::replace(text, '\n', ' ');
   return text;
 }
 
@@ -56,20 +55,9 @@ void detail::put_beside(std::string_view words, const LabelPens& pens, Label& la
   const double left = label.size.x + kGap * pens.height;
   const double height = std::max(label.size.y, beside.size.y);
   const Vec2 words_up(left, 0.5 * (height - beside.size.y));
-  const Vec2 sign_up(0, 0.5 * (height - label.size.y));
-  for (Path& path : label.paths) {
-    for (Vec2& p : path.points) p += sign_up;
-  }
-  for (Area& area : label.areas) {
-    for (std::vector<Vec2>& ring : area.rings) {
-      for (Vec2& p : ring) p += sign_up;
-    }
-  }
-  for (Text& text : label.texts) text.at += sign_up;
-  for (Text& text : beside.texts) {
-    text.at += words_up;
-    label.texts.push_back(std::move(text));
-  }
+  move(label, {0, 0.5 * (height - label.size.y)});
+  move(beside, words_up);
+  std::ranges::move(beside.texts, std::back_inserter(label.texts));
   label.size = {left + beside.size.x, height};
   label.shoulder = 0.5 * height;
 }

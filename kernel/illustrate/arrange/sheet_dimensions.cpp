@@ -164,6 +164,7 @@ void SheetDimensions::deal_row(Scene& scene, const MeasuredRow& row) {
   bool cut = true, left_out = false;
   std::vector<std::string> hidden_in;
   for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (best && best->rank == 0) break;  // no other shows it better
     if (!is_wanted(views_[i])) continue;
     const MeasuringView& view = views_[i].as;
     cut &= is_cut_away(row, view.scene);

@@ -2,6 +2,7 @@
 
 #include <burin/annotate/symbols.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace burin::detail {
@@ -36,6 +37,7 @@ std::string value_text(const std::string& name, double value, const MeasuredRow&
 
 std::string text_of(const MeasuredRow& row, const DimensionOptions& style) {
   std::string text = row.row.text;
+  std::ranges::replace(text, '\t', ' ');  // no font has a sign for it
   for (const auto& [name, value] : row.values) {
     text = replaced(std::move(text), "{" + name + "}", value_text(name, value, row, style));
   }

@@ -25,6 +25,9 @@ struct Label {
   std::vector<Text> texts = {};
 };
 
+/// All of it, moved on paper.
+void move(Label& label, Vec2 by);
+
 /// How letters of labels are drawn, paper mm.
 struct LabelPens {
   /// Of capital letters.
